@@ -14,10 +14,7 @@
 
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <vector>
 
 namespace shellmatch {

@@ -28,12 +28,21 @@ class EnvironmentError : public std::runtime_error {
   explicit EnvironmentError(std::string text) : std::runtime_error(without_nul(std::move(text))) {}
 };
 
-/// There is not enough memory for something that the text names. A command for which the user has set a limit of memory
-/// ends as at that limit.
+/// There is not enough memory for something that the text names: exit code 5. A command for which the user has set a
+/// limit of memory ends as at that limit.
 class MemoryError : public EnvironmentError {
  public:
   using EnvironmentError::EnvironmentError;
 };
+
+/// Nothing more can be written, as far as is known for want of room on the disk: exit code 6.
+class DiskError : public EnvironmentError {
+ public:
+  using EnvironmentError::EnvironmentError;
+};
+
+/// Throws DiskError, or EnvironmentError where the system's error number names another cause. \param error 0: unknown
+[[noreturn]] void cannot_be_written(int error, const std::string& text);
 
 /// Throws InputError with a formatted text: `throw_input_error("{}: no faces; ...", path)`.
 template <class... Args>

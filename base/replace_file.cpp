@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const std::string& path, int error) {
-  throw_environment_error("{}: cannot be written ({}); check the folder, its permissions and the free space", path,
-                          std::strerror(error));
+  cannot_be_written(
+      error, fmt::format("{}: cannot be written ({}); check the folder, its permissions and the free space", path,
+                         std::strerror(error)));
 }
 
 // Calls again what a signal has interrupted, as it may on network file systems. \return 0, or the system's error number

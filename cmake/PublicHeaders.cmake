@@ -11,13 +11,10 @@ set(shellmatch_public_headers
   energies/assembly/band_report.h
   energies/assembly/folds.h
   energies/autodiff/pack.h
-  energies/elements/boundary_condition.h
   energies/elements/shape_table.h
   energies/elements/unknowns.h
-  energies/options.h
+  energies/energy_options.h
   energies/pairs/point_pairs.h
-  energies/pairs/robust_loss.h
-  energies/terms/term_place.h
   energies/terms/term_values.h
   geometry/distance/signed_distance.h
   geometry/generate/generate_shape.h
@@ -52,8 +49,6 @@ set(shellmatch_public_headers
   grid/octree/octree.h
   grid/options.h
   matching/experiment/align_options.h
-  matching/experiment/check_options.h
-  matching/experiment/finest_level.h
   matching/experiment/level_overrides.h
   matching/experiment/level_solver.h
   matching/experiment/options.h
@@ -70,7 +65,6 @@ set(shellmatch_public_headers
   matching/pairs/landmarks.h
   matching/progress/observer.h
   matching/result/correspondence.h
-  matching/result/history.h
   matching/result/match_result.h
   matching/result/match_summary.h
   matching/run_matching.h
@@ -78,4 +72,4 @@ set(shellmatch_public_headers
   solvers/library_options.h
   solvers/minimizer.h
   solvers/objective.h
-  solvers/options.h)
+  solvers/solver_options.h)

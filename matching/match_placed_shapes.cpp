@@ -7,7 +7,6 @@
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
-#include "matching/result/nearest_faces.h"
 #include "matching/result/reference_map.h"
 #include "matching/result/spin_difference.h"
 #include "matching/result/verdict.h"

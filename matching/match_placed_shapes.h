@@ -6,12 +6,11 @@
 #include "geometry/distance/signed_distance.h"
 #include "matching/alignment/prepare_pair.h"
 #include "matching/cascade/cascade.h"
-#include "matching/result/correspondence.h"
 #include "matching/input/shape_pair.h"
 #include "matching/pairs/landmarks.h"
+#include "matching/result/correspondence.h"
 #include "matching/result/match_result.h"
 #include "matching/result/recorder.h"
-#include "matching/result/run_clock.h"
 
 #include <functional>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "matching/alignment/known_pairs.h"
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/size_estimate.h"
-#include "matching/level/level_metric.h"
+#include "matching/level/level_energy.h"
 
 #include <fmt/format.h>
 
@@ -55,12 +55,12 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
     fields_->compute_distances(grid_);
   }
   pairs_ = known_pairs(landmarks_, prepared_.alignment, options_, prepared_.placement, *d1_, *d2_);
-  level_.emplace(grid_, fields_->geometry(grid_), options_, pairs_, has_coverage(options_));
   const ObservedPair<Dim> observed = observed_pair(shapes_.reference, shapes_.template_shape);
-  if (!observed.is_all()) mask_.emplace(observed, level_->sigma);
-  if (level_->is_covered(options_))
-    coverage_.emplace(shapes_.reference.surface, *d2_, std::ldexp(1.0, -options_.cascade.max_level), options_.coverage,
-                      observed);
+  level_.emplace(grid_, fields_->geometry(grid_), options_, pairs_, observed);
+  if (!has_coverage(options_)) return;
+  coverage_.emplace(shapes_.reference.surface, *d2_, std::ldexp(1.0, -options_.cascade.max_level), options_.coverage,
+                    observed);
+  add_coverage(*level_, *coverage_, options_);
 }
 
 template <int Dim>
@@ -91,11 +91,6 @@ std::vector<Vec<Dim>> PairLevel<Dim>::sampled(const Deformation<Dim>& map) const
 template <int Dim>
 bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b) {
   return a.is_backward == b.is_backward && same_place(a.placement, b.placement) && same_place(a.pose, b.pose);
-}
-
-template <int Dim>
-void PairLevel<Dim>::follow(const std::vector<Vec<Dim>>& phi) {
-  shellmatch::follow<Dim>(*level_, phi, mask_ ? &*mask_ : nullptr, coverage_ ? &*coverage_ : nullptr);
 }
 
 template <int Dim>

@@ -10,7 +10,6 @@
 #include "matching/level/level_energy.h"
 #include "matching/level/level_problem.h"
 #include "matching/level/shape_fields.h"
-#include "matching/level/observed_mask.h"
 #include "matching/pairs/coverage.h"
 #include "matching/pairs/landmarks.h"
 #include "matching/progress/observer.h"
@@ -55,10 +54,6 @@ class PairLevel {
   std::vector<Vec<Dim>> sampled(const Deformation<Dim>& map) const;
   bool has_frame(const MapFrame<Dim>& frame) const { return same_frame(frame, prepared_.frame()); }
 
-  /// What the cascade makes anew as phi moves becomes that for this phi: the pairs of coverage, where it acts on this
-  /// level, and the mask of shapes with gaps (docs/closing.md).
-  void follow(const std::vector<Vec<Dim>>& phi);
-
   LevelEnergy<Dim>& energy() { return *level_; }
   const LevelEnergy<Dim>& energy() const { return *level_; }
   /// The last step of the schedule on this level, and the terms' weights there.
@@ -87,8 +82,7 @@ class PairLevel {
   std::vector<LevelSize> sizes_;
   std::vector<PairSet<Dim>> pairs_;
   std::optional<LevelEnergy<Dim>> level_;
-  std::optional<ObservedMask<Dim>> mask_;  ///< where a shape has gaps
-  std::optional<Coverage<Dim>> coverage_;  ///< where it acts
+  std::optional<Coverage<Dim>> coverage_;  ///< where it acts on a level
 };
 
 }  // namespace shellmatch

@@ -47,7 +47,7 @@ GradientReport check(const ExperimentOptions& options, const GradientCheckReques
                                request.state.folder);
                        });
   const std::vector<Vec<Dim>> phi = positions_of(request.state, level.energy(), options.energy, found);
-  level.follow(phi);
+  level.energy().refresh(phi);
   const ScheduleStep step = level.step();
   GradientReport report =
       check_gradient<Dim>(level.energy(), CheckedEnergy<Dim>(level.energy()), phi, level.weights(), request.settings,

@@ -55,7 +55,8 @@ class Run {
       throw Stopped(fmt::format("{}: {}", want.what(), keep_and_tell()), StopCause::memory_limit);
     } catch (const std::bad_alloc&) {
       if (memory_limit_bytes() > 0) throw Stopped(keep_and_tell(), StopCause::memory_limit);
-      throw_environment_error("not enough memory: {}; a lower finest level (--levels) needs less", keep_and_tell());
+      throw MemoryError(
+          fmt::format("not enough memory: {}; a lower finest level (--levels) needs less", keep_and_tell()));
     }
   }
 

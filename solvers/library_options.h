@@ -25,30 +25,11 @@ struct EnumNames<CeresConjugateGradient> {
       {CeresConjugateGradient::hestenes_stiefel, "hestenes_stiefel"}};
 };
 
-enum class CeresInterpolation { bisection, quadratic, cubic };
-template <>
-struct EnumNames<CeresInterpolation> {
-  static constexpr std::pair<CeresInterpolation, std::string_view> names[] = {
-      {CeresInterpolation::bisection, "bisection"},
-      {CeresInterpolation::quadratic, "quadratic"},
-      {CeresInterpolation::cubic, "cubic"}};
-};
-
-/// Options of ceres::GradientProblemSolver, under the library's names and with its defaults.
+/// Options of ceres::GradientProblemSolver, under the library's names and with its defaults; all others are Ceres' own.
 struct CeresOptions {
   CeresLineSearch line_search_type = CeresLineSearch::wolfe;
   CeresConjugateGradient nonlinear_conjugate_gradient_type = CeresConjugateGradient::fletcher_reeves;
   int max_lbfgs_rank = 20;
-  bool use_approximate_eigenvalue_bfgs_scaling = false;
-  CeresInterpolation line_search_interpolation_type = CeresInterpolation::cubic;
-  double min_line_search_step_size = 1e-9;
-  double line_search_sufficient_function_decrease = 1e-4;
-  double max_line_search_step_contraction = 1e-3;
-  double min_line_search_step_contraction = 0.6;
-  int max_num_line_search_step_size_iterations = 20;
-  int max_num_line_search_direction_restarts = 5;
-  double line_search_sufficient_curvature_decrease = 0.9;
-  double max_line_search_step_expansion = 10;
   double function_tolerance = 1e-6, gradient_tolerance = 1e-10, parameter_tolerance = 1e-8;
   bool common_stop_rules = true;
   int max_bfgs_size = 1000;
@@ -77,22 +58,6 @@ struct CeresOptions {
            .min = 1,
            .max = 20000,
            .meaning = "most unknowns for ceres_bfgs, whose dense matrix grows with their square"});
-  }
-};
-
-/// Options of the NLopt methods.
-struct NloptOptions {
-  int vector_storage = 0;
-  int max_slsqp_size = 500;
-  int max_stalled_evaluations = 200;
-  int max_restarts = 20;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit("max_slsqp_size", self.max_slsqp_size,
-          {.unit = "unknowns",
-           .min = 1,
-           .max = 5000,
-           .meaning = "most unknowns for nlopt_slsqp, whose memory grows with their square and time with their cube"});
   }
 };
 

@@ -1,6 +1,6 @@
 #include "alignment/functional_map/map_score.h"
 
-#include "base/svd.h"
+#include "base/decompositions.h"
 #include "geometry/distance/surface_distance.h"
 
 #include <Eigen/LU>

@@ -1,7 +1,6 @@
 #include "alignment/functional_map/map_search.h"
 
 #include "alignment/functional_map/starts.h"
-#include "alignment/functional_map/tip_starts.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/distance/surface_distance.h"

@@ -1,10 +1,99 @@
 #include "alignment/functional_map/starts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace shellmatch {
+
+namespace {
+
+/// Goes through all assignments, deciding for each tip of surface 1 in turn.
+class TipSearch {
+ public:
+  TipSearch(const std::vector<SurfaceTip>& tips_1, const std::vector<SurfaceTip>& tips_2, std::size_t n)
+      : tips_{&tips_1, &tips_2}, n_(n), is_used_(tips_2.size(), false) {
+    for (const auto* tips : tips_)
+      for (const SurfaceTip& tip : *tips) all_prominences_ += tip.prominence;
+  }
+
+  std::vector<TipAssignment> run() {
+    decide(0, 0, 0);
+    std::sort_heap(best_.begin(), best_.end(), is_cheaper);
+    return std::move(best_);
+  }
+
+ private:
+  static bool is_cheaper(const TipAssignment& a, const TipAssignment& b) {
+    return std::pair(a.cost, a.pairs) < std::pair(b.cost, b.pairs);
+  }
+
+  const SurfaceTip& tip(int s, int i) const { return (*tips_[s])[static_cast<std::size_t>(i)]; }
+
+  // \param stretch sum of |log| of the ratios of distances so far, \param prominence of the tips in pairs, of both
+  // surfaces
+  void decide(int i, double stretch, double prominence) {
+    if (i == static_cast<int>(tips_[0]->size())) return finish(stretch, prominence);
+    decide(i + 1, stretch, prominence);
+    for (int j = 0; j < static_cast<int>(tips_[1]->size()); ++j) {
+      if (is_used_[static_cast<std::size_t>(j)]) continue;
+      double added = 0;
+      for (const auto& [a, b] : pairs_)
+        added += std::abs(std::log(tip(0, i).distances[tip(0, a).vertex] / tip(1, j).distances[tip(1, b).vertex]));
+      is_used_[static_cast<std::size_t>(j)] = true;
+      pairs_.emplace_back(i, j);
+      decide(i + 1, stretch + added, prominence + tip(0, i).prominence + tip(1, j).prominence);
+      pairs_.pop_back();
+      is_used_[static_cast<std::size_t>(j)] = false;
+    }
+  }
+
+  void finish(double stretch, double prominence) {
+    if (pairs_.size() < 3) return;
+    const auto m = static_cast<double>(pairs_.size());
+    const double cost = stretch / (m * (m - 1) / 2) + 1 - prominence / all_prominences_;
+    if (best_.size() == n_ && cost >= best_.front().cost) return;
+    best_.push_back({pairs_, cost});
+    std::push_heap(best_.begin(), best_.end(), is_cheaper);
+    if (best_.size() <= n_) return;
+    std::pop_heap(best_.begin(), best_.end(), is_cheaper);
+    best_.pop_back();
+  }
+
+  const std::vector<SurfaceTip>* tips_[2];
+  std::size_t n_;
+  double all_prominences_ = 0;
+  std::vector<bool> is_used_;
+  std::vector<std::pair<int, int>> pairs_;
+  std::vector<TipAssignment> best_;  // a heap, the dearest first
+};
+
+}  // namespace
+
+std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, const std::vector<SurfaceTip>& tips_2,
+                                       std::size_t n) {
+  return TipSearch(tips_1, tips_2, n).run();
+}
+
+VertexMatches match_by_tips(const ShapePairSpectra& pair, const TipAssignment& assignment, std::size_t n_queries) {
+  Embedding embedding;
+  for (int s = 0; s < 2; ++s) {
+    const VertexSet& set = pair.coarsest[s];
+    embedding.on[s].resize(static_cast<Eigen::Index>(assignment.pairs.size()), static_cast<Eigen::Index>(set.size()));
+    for (std::size_t k = 0; k < assignment.pairs.size(); ++k) {
+      const auto& [a, b] = assignment.pairs[k];
+      const SurfaceTip& tip = pair.shapes[s]->tips[static_cast<std::size_t>(s == 0 ? a : b)];
+      double sum = 0;
+      for (const auto& [c, d] : assignment.pairs)
+        sum += tip.distances[pair.shapes[s]->tips[static_cast<std::size_t>(s == 0 ? c : d)].vertex];
+      for (std::size_t i = 0; i < set.size(); ++i)
+        embedding.on[s](static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) =
+            static_cast<float>(tip.distances[set.vertices[i]] / sum);
+    }
+  }
+  return match_vertices(pair.coarsest, embedding, pair.landmarks.size() + n_queries);
+}
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "alignment/functional_map/two_way_map.h"
 
+#include "base/decompositions.h"
 #include "base/error.h"
-#include "base/svd.h"
 #include "geometry/distance/surface_distance.h"
 
 #include <Eigen/Cholesky>

@@ -8,7 +8,6 @@
 /// surfaces C is orthogonal; in general its transpose is taken for the map the other way.
 
 #include "alignment/functional_map/nearest_features.h"
-#include "alignment/spectrum/smoothed_surface.h"
 #include "alignment/spectrum/spectral_shape.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "alignment/outline/find_outline_pairs.h"
 
-#include "alignment/outline/planar_pose.h"
 #include "alignment/pairs/order_candidates.h"
+#include "alignment/pose/fit_pose.h"
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/facet_point.h"

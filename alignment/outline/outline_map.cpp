@@ -1,6 +1,6 @@
 #include "alignment/outline/outline_map.h"
 
-#include "alignment/outline/planar_pose.h"
+#include "alignment/pose/fit_pose.h"
 #include "base/error.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "alignment/partial/find_partial_pairs.h"
 
 #include "alignment/functional_map/two_way_map.h"
-#include "alignment/pairs/consistent_groups.h"
+#include "alignment/pairs/confident_pairs.h"
 #include "alignment/partial/consistent_images.h"
 #include "alignment/partial/partial_map.h"
 #include "base/parallel.h"

@@ -5,12 +5,38 @@
 /// eigenvalue, read on the part, are combinations of those of the part up to the same eigenvalue, of which there are
 /// fewer by the share of the area.
 
+#include <Eigen/Core>
+
 #include "alignment/functional_map/nearest_features.h"
-#include "alignment/partial/partial_shape.h"
+#include "alignment/options.h"
+#include "alignment/spectrum/edge_graph.h"
+#include "alignment/spectrum/laplacian.h"
+#include "alignment/spectrum/spin_images.h"
 
 #include <vector>
 
 namespace shellmatch {
+
+/// Radius of the spin images; nearer borders they lack what was cut away, so that it is less than that of whole
+/// surfaces.
+inline constexpr double part_spin_radius = 0.08;
+
+/// Lengths are in a unit that part and whole share: the root of the area of the whole. n vertices, k eigenpairs.
+struct PartialShape {
+  Surface<3> surface;
+  EdgeGraph graph;
+  Eigen::VectorXd mass;  ///< n
+  LaplacianEigenpairs
+      spectrum;          ///< derivatives across borders vanish; k as the options say, or less on a small surface
+  Rows3 coefficients;    ///< k x 3: functions * coefficients are the smoothed coordinates
+  Eigen::MatrixXf spin;  ///< 96 x n, spin_images()
+  std::vector<double> to_border;  ///< n: along edges; infinite on a closed surface
+
+  std::size_t n_vertices() const { return surface.vertices.size(); }
+};
+
+/// \pre connected, every vertex has a facet \param unit length of the common unit
+PartialShape make_partial_shape(Surface<3> surface, double unit, const AlignmentOptions& options);
 
 struct PartialMap {
   std::vector<Index> images;   ///< of all vertices of the part, vertices of the whole

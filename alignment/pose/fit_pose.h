@@ -34,4 +34,10 @@ constexpr double mirrored_gain = 2.0 / 3;
 /// \throws InputError with fewer than three pairs, and where the points of either side lie on a line
 Pose fit_pose(std::span<const CorrespondingPoints> pairs, PoseKind kind, Mirroring mirroring = Mirroring::never);
 
+/// Of weighted least squares, in closed form. A rigid motion has scale 1. Poses of either handedness are
+/// compared by their root mean square distances.
+/// \throws InputError with fewer than two pairs of a weight, and where the points of either side coincide
+Similarity<2> fit_planar_pose(std::span<const CorrespondingPointsIn<2>> pairs, PoseKind kind,
+                              Mirroring mirroring = Mirroring::never);
+
 }  // namespace shellmatch

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distances along the edges of a surface, and well spread samples of its vertices.
+/// Distances along the edges of a surface, well spread samples of its vertices, and the ends of its limbs.
 
 #include "geometry/surface/surface.h"
 
@@ -45,5 +45,20 @@ class EdgeGraph {
 /// `n` vertices, or all if there are fewer, each the farthest from those before it: the first m of them are such
 /// samples for every m.
 std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, std::size_t n);
+
+/// A local maximum of the mean distance. Lengths are those of the graph.
+struct SurfaceTip {
+  Index vertex;
+  double prominence;              ///< how far the mean distance falls at least on a way to a larger one
+  std::vector<double> distances;  ///< to all vertices, along edges
+};
+
+/// The most prominent tips, at most n of them, descending by their prominence, which is `least_prominence` or more.
+/// After M. Hilaga, Y. Shinagawa, T. Kohmura and T. Kunii, 'Topology matching for fully automatic similarity estimation
+/// of 3D shapes', SIGGRAPH 2001 (mean distances), and H. Edelsbrunner, D. Letscher and A. Zomorodian, 'Topological
+/// persistence and simplification', 2002. \param samples vertices well spread over the surface, to which distances are
+/// measured
+std::vector<SurfaceTip> surface_tips(const EdgeGraph& graph, const std::vector<Index>& samples, std::size_t n,
+                                     double least_prominence);
 
 }  // namespace shellmatch

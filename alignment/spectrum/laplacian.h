@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// The Laplacian of a triangle mesh from its edge lengths.
-
-#include "geometry/surface/surface.h"
+/// The Laplacian of a triangle mesh from its edge lengths, with its eigenvalues and eigenfunctions.
 
 #include <Eigen/SparseCore>
+
+#include "geometry/surface/surface.h"
 
 namespace shellmatch {
 
@@ -23,5 +23,15 @@ std::vector<Vec<3>> mollified_edge_lengths(const Surface<3>& surface, double mol
 /// Cotangent Laplacian from mollified edge lengths. Any facets are admitted, also around an edge of three facets or a
 /// border. \pre every vertex has a facet; some edge has a length
 SurfaceLaplacian surface_laplacian(const Surface<3>& surface, double mollification);
+
+struct LaplacianEigenpairs {
+  Eigen::VectorXd values;     ///< ascending; the first is zero on a connected surface
+  Eigen::MatrixXd functions;  ///< a column for each value, a row for each vertex; orthonormal in the mass matrix
+};
+
+/// The `n` pairs of least eigenvalue: Lanczos with implicit restarts for the inverse. On a connected surface the first
+/// function is constant and positive. The sign of the others is arbitrary, but the same in every call.
+/// \pre 0 < n < number of vertices \throws InputError if the Laplacian is not finite or the iteration does not converge
+LaplacianEigenpairs least_eigenpairs(const SurfaceLaplacian& laplacian, int n);
 
 }  // namespace shellmatch

@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/distance/facet_tree.h"
-#include "geometry/repair/simplify.h"
+#include "geometry/repair/repair_steps.h"
 #include "geometry/surface/subdivision.h"
 
 #include <fmt/format.h>

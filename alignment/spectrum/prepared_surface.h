@@ -16,7 +16,7 @@ struct PreparedSurface {
   std::vector<std::string> notes = {};  ///< what was changed, in words
 };
 
-/// The connected component of largest area, simplified (geometry/repair/simplify.h) to about options.max_vertices;
+/// The connected component of largest area, simplified (geometry/repair/repair_steps.h) to about options.max_vertices;
 /// facets of surfaces below n_least_vertices are divided into four until there are enough. Borders of holes remain.
 /// \throws InputError if no facet has an area
 PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions& options);

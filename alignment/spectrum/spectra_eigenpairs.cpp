@@ -1,4 +1,4 @@
-#include "alignment/spectrum/eigenpairs.h"
+#include "alignment/spectrum/laplacian.h"
 
 #include "base/error.h"
 
@@ -41,7 +41,7 @@ class InverseOperator {
 
 }  // namespace
 
-Eigenpairs least_eigenpairs(const SurfaceLaplacian& laplacian, int n) {
+LaplacianEigenpairs least_eigenpairs(const SurfaceLaplacian& laplacian, int n) {
   const auto n_vertices = static_cast<int>(laplacian.mass.size());
   SHELLMATCH_CHECK(0 < n && n < n_vertices, "fewer eigenpairs than vertices are asked for");
   // A shift of about a tenth of the first positive eigenvalue of compact shapes keeps the matrix well conditioned.
@@ -52,7 +52,7 @@ Eigenpairs least_eigenpairs(const SurfaceLaplacian& laplacian, int n) {
   solver.compute(Spectra::SortRule::LargestAlge, 300, 1e-9, Spectra::SortRule::LargestAlge);
   if (solver.info() != Spectra::CompInfo::Successful)
     throw_input_error("the eigenfunctions of the surface's Laplacian did not converge");
-  Eigenpairs pairs;
+  LaplacianEigenpairs pairs;
   pairs.values = (solver.eigenvalues().cwiseInverse().array() - shift).max(0);
   pairs.functions = inverse.root().cwiseInverse().asDiagonal() * solver.eigenvectors();
   if (pairs.functions.col(0).sum() < 0) pairs.functions.col(0) *= -1;

@@ -2,12 +2,14 @@
 
 #include "base/stop.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
 namespace shellmatch {
 
-Eigen::MatrixXd wave_kernel_signature(const Eigenpairs& pairs, const Eigen::VectorXd& mass, int n_energies) {
+Eigen::MatrixXd wave_kernel_signature(const LaplacianEigenpairs& pairs, const Eigen::VectorXd& mass, int n_energies) {
   // The constant function says nothing of a place, so that energies begin at the second eigenvalue.
   const Eigen::Index k = pairs.values.size() - 1;
   const Eigen::ArrayXd logs = pairs.values.tail(k).array().max(1e-12).log();
@@ -35,7 +37,7 @@ constexpr std::size_t n_most_tips = 7;  // 130 thousand ways to match them
 constexpr std::size_t n_tip_samples = 50;
 
 /// A vertex that depends on the shape alone, not on the order of its vertices or its position.
-Index extreme_vertex(const Eigenpairs& pairs) {
+Index extreme_vertex(const LaplacianEigenpairs& pairs) {
   Eigen::Index at = 0;
   pairs.functions.col(1).cwiseAbs().maxCoeff(&at);
   return static_cast<Index>(at);
@@ -61,7 +63,7 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
   for (Vec<3>& x : surface.vertices) x = (x - centre) / std::sqrt(area);
   laplacian.mass /= area;
   const auto n = static_cast<int>(surface.vertices.size());
-  const Eigenpairs pairs = least_eigenpairs(laplacian, std::min(options.functions, (n - 1) / 2));
+  const LaplacianEigenpairs pairs = least_eigenpairs(laplacian, std::min(options.functions, (n - 1) / 2));
   Rows3 coordinates(n, 3);
   for (int v = 0; v < n; ++v) coordinates.row(v) = surface.vertices[v];
   EdgeGraph graph(surface);
@@ -77,6 +79,50 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
           pairs.functions,    std::move(coefficients), std::move(normals),        std::move(signature),
           std::move(spin),    std::move(samples),      std::move(tips),           centre,
           std::sqrt(area)};
+}
+
+namespace {
+
+Columns4 normals_of(std::span<const std::array<Index, 3>> facets, const Columns4& coordinates) {
+  Columns4 normals = Columns4::Zero(4, coordinates.cols());
+  for (const auto& [a, b, c] : facets) {
+    const Eigen::Vector4f origin = coordinates.col(a);
+    const Eigen::Vector4f u = coordinates.col(b) - origin, v = coordinates.col(c) - origin;
+    const Eigen::Vector4f normal = u.cross3(v);
+    for (const Index corner : {a, b, c}) normals.col(corner) += normal;
+  }
+  for (Eigen::Index i = 0; i < normals.cols(); ++i) {
+    const float length = normals.col(i).norm();
+    if (length > 0) normals.col(i) /= length;
+  }
+  return normals;
+}
+
+}  // namespace
+
+SmoothedSurfaces::SmoothedSurfaces(const SpectralShape& shape, int n_functions)
+    : shape_(&shape), data_(std::make_shared<Data>()) {
+  data_->functions = shape.functions.leftCols(n_functions).cast<float>();
+  data_->entries = std::vector<Entry>(static_cast<std::size_t>(n_functions) + 1);
+}
+
+SmoothedSurface SmoothedSurfaces::combined(const Rows3& coefficients,
+                                           std::span<const std::array<Index, 3>> facets) const {
+  Eigen::Matrix<float, Eigen::Dynamic, 4> padded =
+      Eigen::Matrix<float, Eigen::Dynamic, 4>::Zero(coefficients.rows(), 4);
+  padded.leftCols(3) = coefficients.cast<float>();
+  const Eigen::Matrix<float, Eigen::Dynamic, 4> rows = data_->functions.leftCols(coefficients.rows()) * padded;
+  SmoothedSurface surface;
+  surface.coordinates = rows.transpose();
+  surface.normals = normals_of(facets, surface.coordinates);
+  return surface;
+}
+
+const SmoothedSurface& SmoothedSurfaces::with(int k) const {
+  Entry& entry = data_->entries[static_cast<std::size_t>(k)];
+  std::call_once(entry.is_known,
+                 [&] { entry.surface = combined(shape_->coefficients.topRows(k), shape_->surface.facets); });
+  return entry.surface;
 }
 
 }  // namespace shellmatch

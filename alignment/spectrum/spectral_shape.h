@@ -4,10 +4,13 @@
 
 #include "alignment/options.h"
 #include "alignment/spectrum/edge_graph.h"
-#include "alignment/spectrum/eigenpairs.h"
+#include "alignment/spectrum/laplacian.h"
 #include "alignment/spectrum/spin_images.h"
-#include "alignment/spectrum/surface_tips.h"
-#include "alignment/spectrum/vertex_normals.h"
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <vector>
 
 namespace shellmatch {
 
@@ -45,6 +48,40 @@ SpectralShape mirrored_shape(SpectralShape shape);
 
 /// The wave kernel signature at every vertex (n x m), a descriptor that does not depend on the pose: Aubry, Schlickewei
 /// and Cremers, 'The wave kernel signature', ICCV workshops 2011. Each column is scaled to mean 1 over the surface.
-Eigen::MatrixXd wave_kernel_signature(const Eigenpairs& pairs, const Eigen::VectorXd& mass, int n_energies);
+Eigen::MatrixXd wave_kernel_signature(const LaplacianEigenpairs& pairs, const Eigen::VectorXd& mass, int n_energies);
+
+/// Points or vectors in single precision, one in each column, whose fourth component is 0.
+using Columns4 = Eigen::Matrix<float, 4, Eigen::Dynamic>;
+
+struct SmoothedSurface {
+  Columns4 coordinates, normals;  ///< of all vertices; normals as vertex_normals() has them
+};
+
+/// The smoothed copies of a shape, each computed once, by whoever asks first. Safe for parallel use; copies share
+/// the data. \pre the shape outlives them
+class SmoothedSurfaces {
+ public:
+  SmoothedSurfaces() = default;
+  /// \param n_functions at most those of the shape
+  SmoothedSurfaces(const SpectralShape& shape, int n_functions);
+
+  /// \pre 0 < k <= n_functions
+  const SmoothedSurface& with(int k) const;
+  /// The surface whose coordinates are these combinations of the first functions. \param coefficients k x 3
+  /// \param facets around the vertices whose normals are wanted
+  SmoothedSurface combined(const Rows3& coefficients, std::span<const std::array<Index, 3>> facets) const;
+
+ private:
+  struct Entry {
+    std::once_flag is_known;
+    SmoothedSurface surface;
+  };
+  struct Data {
+    Eigen::MatrixXf functions;  ///< n x k
+    std::vector<Entry> entries;
+  };
+  const SpectralShape* shape_ = nullptr;
+  std::shared_ptr<Data> data_;
+};
 
 }  // namespace shellmatch

@@ -5,11 +5,18 @@
 /// limbs point.
 
 #include "alignment/spectrum/laplacian.h"
-#include "alignment/spectrum/vertex_normals.h"
+#include "geometry/surface/surface.h"
 
 #include <vector>
 
 namespace shellmatch {
+
+/// Points or normals, one in each row.
+using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// Unit normals at the vertices of a surface with these facets and the given coordinates (n x 3): means of the facets'
+/// normals, weighted by area; zero where they cancel.
+Rows3 vertex_normals(const std::vector<std::array<Index, 3>>& facets, const Rows3& coordinates);
 
 /// Spin images of points of a surface: columns of unit length, histograms of the surface within a radius over distance,
 /// height along the normal and angle of the normals, weighted by area (Johnson and Hebert, IEEE PAMI 21, 1999). Entries

@@ -2,14 +2,14 @@
 /// \file
 /// A cohort as its file or the command line describes it: one atlas, many subjects, and what is computed of them.
 
-#include "base/options.h"
 #include "apps/cohorts/subjects/subject.h"
-#include "matching/experiment/finest_level.h"
+#include "apps/studies/description/option_file.h"
+#include "apps/studies/execution/run_task.h"
+#include "base/options.h"
+#include "geometry/statistics/procrustes.h"
+#include "matching/experiment/level_overrides.h"
 #include "matching/experiment/options.h"
 #include "matching/experiment/yaml_options.h"
-#include "geometry/statistics/procrustes.h"
-#include "apps/studies/execution/run_limits.h"
-#include "apps/studies/description/option_file.h"
 
 #include <string>
 #include <vector>

@@ -2,18 +2,87 @@
 
 #include "apps/command_line/describe_commands.h"
 #include "apps/command_line/help_text.h"
-#include "apps/command_line/parse_error.h"
 #include "apps/command_line/shared_options.h"
 #include "apps/command_line/slicer_module.h"
-#include "apps/versions_text.h"
+#include "apps/studies/execution/revision.h"
 #include "base/error.h"
+#include "base/options.h"
+#include "matching/progress/linked_libraries.h"
+#include "matching/progress/process_info.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
 
 namespace shellmatch {
 
 namespace {
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+// The names of all options of the command, such as "--levels" and "-o".
+std::vector<std::string> names_of_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+// CLI11's complaint names the words that it could not use; the suggestion is made from the words themselves.
+// \throws InputError always
+[[noreturn]] void explain_parse_error(const CLI::App& app, const std::vector<std::string>& words,
+                                      const std::string& complaint) {
+  const std::vector<std::string> commands = names_of_commands(app);
+  const auto named = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w[0] != '-'; });
+  const bool known = named != words.end() && std::find(commands.begin(), commands.end(), *named) != commands.end();
+  const CLI::App& command = known ? *app.get_subcommand(*named) : app;
+  const std::string help = known ? fmt::format("shellmatch {} --help", *named) : "shellmatch --help";
+  if (named == words.end() && words.empty())
+    throw_input_error("a command is missing; expected one of {} (see {})", fmt::join(commands, ", "), help);
+
+  const std::vector<std::string> options = names_of_options(command);
+  for (auto word = known ? named + 1 : words.begin(); word != (known ? words.end() : named); ++word) {
+    const std::string name = word->substr(0, word->find('='));
+    if (name.size() < 2 || name[0] != '-' || (name[1] != '-' && std::isdigit(static_cast<unsigned char>(name[1]))))
+      continue;
+    if (std::find(options.begin(), options.end(), name) != options.end()) continue;
+    if (name[1] != '-' && std::find(options.begin(), options.end(), name.substr(0, 2)) != options.end()) continue;
+    const std::string near = nearest_word(name, options);
+    throw_input_error("unknown option {}{} (see {})", name, near.empty() ? "" : fmt::format("; did you mean {}?", near),
+                      help);
+  }
+  if (!known && named != words.end()) {
+    const std::string near = nearest_word(*named, commands);
+    throw_input_error("unknown command {}; {}expected one of {} (see {})", *named,
+                      near.empty() ? "" : fmt::format("did you mean {}? ", near), fmt::join(commands, ", "), help);
+  }
+  throw_input_error("{} (see {})", complaint, help);
+}
+
+// The program with its revision, the compiler, the vector units of the code that runs, and each linked library with
+// its version, its licence and what that asks of a distributed program.
+std::string versions_text() {
+  const std::string revision = build_revision();
+  std::string text =
+      fmt::format("shellmatch {}{}, made by {}\nlicence: GPL-3.0-or-later\nvector code: {}\n\n", program_version(),
+                  revision.empty() ? "" : fmt::format(" ({})", revision), compiler_name(), vector_code());
+  constexpr const char* row = "{:<14} {:<10} {:<20} {}\n";
+  text += fmt::format(row, "library", "version", "binds", "licence");
+  for (const LinkedLibrary& library : linked_libraries())
+    text += fmt::format(row, library.name, library.version, library.binds, library.licence);
+  return text + "\n'binds' is what a library asks of a distributed program; docs/licences.md says what follows.\n";
+}
 
 // The data of all commands. CLI11 fills those of the command that is named.
 struct Commands {

@@ -57,7 +57,7 @@ int perform(const Invocation& invocation) {
   const KeptLimits limits(invocation.limits, has_runs ? KeptLimits::Memory::of_runs : KeptLimits::Memory::of_process);
   try {
     std::visit([](const auto& c) { execute(c); }, invocation.command);
-    if (!std::cout.flush()) throw_environment_error("the output cannot be written; is the disk full?");
+    if (!std::cout.flush()) cannot_be_written(0, "the output cannot be written; is the disk full?");
     return success;
   } catch (const Stopped& stopped) {
     if (stopped.cause() != StopCause::request)
@@ -70,9 +70,8 @@ int perform(const Invocation& invocation) {
   } catch (const std::bad_alloc&) {
     if (!invocation.limits.memory.empty())
       return fail_at_limit(invocation, limits, StopCause::memory_limit, "not enough memory");
-    return fail(environment_error, has_levels(invocation)
-                                       ? "not enough memory; a lower finest level (--levels) needs less"
-                                       : "not enough memory");
+    return fail(memory_error, has_levels(invocation) ? "not enough memory; a lower finest level (--levels) needs less"
+                                                     : "not enough memory");
   }
 }
 
@@ -92,10 +91,14 @@ int shellmatch_main(int argc, char** argv) {
     return input_error;
   } catch (const InputError& error) {
     return fail(input_error, error.what());
+  } catch (const MemoryError& error) {
+    return fail(memory_error, error.what());
+  } catch (const DiskError& error) {
+    return fail(disk_error, error.what());
   } catch (const EnvironmentError& error) {
     return fail(environment_error, error.what());
   } catch (const std::system_error& error) {  // of file systems, and of threads that cannot be started
-    return fail(environment_error, error.what());
+    return fail(error.code() == std::errc::no_space_on_device ? disk_error : environment_error, error.what());
   } catch (const std::exception& error) {
     return fail(internal_error, error.what());
   }

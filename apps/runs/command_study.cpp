@@ -3,14 +3,13 @@
 #include "apps/commands.h"
 #include "apps/process/interrupt.h"
 #include "apps/process/limits.h"
-#include "apps/runs/description_copy.h"
 #include "apps/runs/runs.h"
+#include "apps/studies/report/study_report.h"
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/stop.h"
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
-#include "apps/studies/report/collect.h"
 
 #include <filesystem>
 #include <iostream>

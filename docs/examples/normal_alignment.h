@@ -2,7 +2,7 @@
 /// \file
 /// A term that is not in the program, and all that is written for it: the example of docs/adding-an-energy.md.
 
-#include "energies/densities/square.h"
+#include "energies/densities/material.h"
 #include "energies/terms/term.h"
 
 namespace example {

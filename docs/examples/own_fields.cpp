@@ -11,7 +11,6 @@
 #include "matching/level/level_problem.h"
 #include "solvers/methods/newton.h"
 
-#include <cmath>
 #include <cstdio>
 
 using namespace shellmatch;

@@ -2,7 +2,7 @@
 /// \file
 /// Two terms that read fields of the user's own, and are residuals of cells: the example own_fields.
 
-#include "energies/densities/square.h"
+#include "energies/densities/material.h"
 #include "energies/terms/term.h"
 
 namespace example {

@@ -2,13 +2,13 @@
 /// \file
 /// The matching energy E[phi] = E_match + E_mem + E_bend + E_vol + E_barrier + E_points on one grid, with its gradient.
 
-#include "energies/elements/band.h"
-#include "energies/elements/band_mask.h"
 #include "energies/assembly/band_report.h"
 #include "energies/compiled/energy_terms.h"
-#include "energies/elements/unknowns.h"
+#include "energies/elements/band.h"
+#include "energies/elements/band_mask.h"
 #include "energies/elements/cell_blocks.h"
-#include "energies/options.h"
+#include "energies/elements/unknowns.h"
+#include "energies/energy_options.h"
 #include "energies/fields/geometry_field.h"
 
 #include <memory>

@@ -3,20 +3,36 @@
 /// A term as the assembly calls it: its compiled code behind function pointers, eight quadrature points or elements at
 /// a time. energies/compiled/compile_term.h makes it from the term's type.
 
+#include "energies/autodiff/pack.h"
 #include "energies/cost/cost_function.h"
 #include "energies/cost/element_fields.h"
-#include "energies/compiled/point_arrays.h"
-#include "energies/densities/square_pack.h"
+#include "energies/densities/pack_eigen.h"
 #include "energies/densities/tangent_frames.h"
 #include "energies/elements/element_batch.h"
 #include "energies/elements/sum_factorised_evaluator.h"
+#include "energies/fields/coefficients.h"
 #include "energies/pairs/pair_term.h"
 #include "energies/terms/term.h"
 
+#include <array>
 #include <span>
 #include <variant>
 
 namespace shellmatch {
+
+template <int Dim>
+struct PointArrays {
+  static constexpr int n_target = TargetPoint<Dim, double>::size;
+  static constexpr int n_reference = ReferencePoint<Dim, double>::size;
+  static constexpr int n_without_phi = n_target + Dim * Dim, n_active = n_without_phi + Dim;
+  static constexpr int n_passive = n_reference + 2;
+
+  std::array<autodiff::Pack, n_active> active;    ///< d2, n2, root; Dphi by rows; phi where a term reads it
+  std::array<autodiff::Pack, n_passive> passive;  ///< d1, n1, r1; lambda, mu
+  std::array<autodiff::Pack, n_active> adjoint;   ///< derivative by the active inputs, weighted
+  std::array<std::array<autodiff::Pack, n_target>, Dim> derivative;  ///< of d2, n2, root by each coordinate of phi
+  const autodiff::Pack* own_fields = nullptr;                        ///< of the term that is evaluated
+};
 
 /// What Newton's model of the band reads at eight points. The model is a matrix by variables of the point: by
 /// X_ij = t2_i . Dphi t1_j, then by phi (tangent variables); or by the entries of Dphi in row order, then by phi (all

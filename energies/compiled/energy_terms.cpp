@@ -83,16 +83,23 @@ Term EnergyTerms<Dim>::add(const CompiledTerm<Dim>& term, std::vector<double> ow
 }
 
 template <int Dim>
-Term EnergyTerms<Dim>::add(std::string name, PairTerm<Dim> pairs, std::function<double(const TermScales&)> weight) {
+Term EnergyTerms<Dim>::add(std::string name, PairTerm<Dim> pairs, std::function<double(const TermScales&)> weight,
+                           Renewal renewal) {
   CompiledTerm<Dim> term;
   term.code = PointCode<Dim>{std::move(pairs)};
-  entries_.push_back({std::move(name), std::move(term), {}, {}, {}, std::move(weight)});
+  entries_.push_back({std::move(name), std::move(term), {}, {}, {}, std::move(weight), std::move(renewal)});
   return Term{entries_.size() - 1};
 }
 
 template <int Dim>
-void EnergyTerms<Dim>::refresh(Term term, PairTerm<Dim> pairs) {
-  std::get<PointCode<Dim>>(entries_.at(static_cast<std::size_t>(term)).term.code).pairs = std::move(pairs);
+void EnergyTerms<Dim>::refresh(const std::vector<Vec<Dim>>& phi) {
+  for (Entry& entry : entries_)
+    if (entry.renewal) std::get<PointCode<Dim>>(entry.term.code).pairs = entry.renewal(phi);
+}
+
+template <int Dim>
+bool EnergyTerms<Dim>::follow_phi() const {
+  return std::ranges::any_of(entries_, [](const Entry& entry) { return entry.renewal != nullptr; });
 }
 
 template <int Dim>

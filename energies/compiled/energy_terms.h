@@ -4,7 +4,7 @@
 /// of point pairs, such as landmarks.
 
 #include "energies/compiled/compiled_term.h"
-#include "energies/options.h"
+#include "energies/energy_options.h"
 
 #include <deque>
 #include <functional>
@@ -18,6 +18,9 @@ namespace shellmatch {
 template <int Dim>
 class EnergyTerms {
  public:
+  /// The pairs of a term for these positions of the nodes.
+  using Renewal = std::function<PairTerm<Dim>(const std::vector<Vec<Dim>>& phi)>;
+
   /// One term with the values of its options.
   struct Entry {
     std::string name;  ///< in reports
@@ -26,6 +29,7 @@ class EnergyTerms {
     Material<double> material;  ///< refers to `own`
     UserFields<Dim> own_fields;
     std::function<double(const TermScales&)> weight;  ///< at a step of the schedule
+    Renewal renewal = {};                             ///< of a term of points that follow phi
   };
 
   /// \throws InputError if a number is out of its range, and as add()
@@ -44,9 +48,13 @@ class EnergyTerms {
 
   /// Adds a term of point pairs, located on the grid of the energy.
   /// \param weight  at a step of the schedule
-  Term add(std::string name, PairTerm<Dim> pairs, std::function<double(const TermScales&)> weight);
-  /// Gives such a term other pairs. Not during an evaluation.
-  void refresh(Term term, PairTerm<Dim> pairs);
+  /// \param renewal makes them anew in refresh(); empty: they stay
+  Term add(std::string name, PairTerm<Dim> pairs, std::function<double(const TermScales&)> weight,
+           Renewal renewal = {});
+  /// What terms make anew as phi moves becomes that for this phi. Not during an evaluation.
+  void refresh(const std::vector<Vec<Dim>>& phi);
+  /// Does one of the terms?
+  bool follow_phi() const;
 
   Evaluator evaluator() const { return evaluator_; }
   std::size_t size() const { return entries_.size(); }

@@ -4,10 +4,10 @@
 /// corners, corner after corner, Dim components each (24 numbers in space). Ceres' automatic differentiation and
 /// gradient checker take it as it is; with `energy.evaluator: ceres` the whole energy is evaluated by it.
 
+#include "energies/autodiff/jet.h"
 #include "energies/cost/cost_function.h"
 #include "energies/cost/element_fields.h"
-#include "energies/autodiff/jet.h"
-#include "energies/densities/square.h"
+#include "energies/densities/material.h"
 #include "energies/terms/term_functors.h"
 
 #include <ceres/autodiff_cost_function.h>

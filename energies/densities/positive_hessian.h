@@ -5,15 +5,41 @@
 /// (`is_isotropic`: W(Q A R) = W(A) for rotations Q and R), which gives its eigenvectors by principal stretches; of any
 /// other density W'' comes from second-order automatic differentiation and its negative eigenvalues are set to 0.
 
-#include "base/symmetric_eigen.h"
+#include "base/decompositions.h"
+#include "energies/autodiff/pack.h"
 #include "energies/autodiff/second_order.h"
-#include "energies/densities/isotropic_hessian.h"
-#include "energies/densities/square_pack.h"
+#include "energies/densities/material.h"
+#include "energies/densities/pack_eigen.h"
+#include "energies/densities/small_matrix.h"
 
 #include <array>
 #include <type_traits>
 
 namespace shellmatch {
+
+/// A = U diag(s) V^T.
+template <int Dim>
+struct Stretches {
+  SmallMat<autodiff::Pack, Dim> u, v;
+  std::array<autodiff::Pack, Dim> s;  ///< the first is the smallest and carries the sign of det A
+};
+
+template <int Dim>
+Stretches<Dim> principal_stretches(const SmallMat<autodiff::Pack, Dim>& a);
+
+/// psi with its derivatives by the stretches.
+template <class Density, int Dim>
+autodiff::SecondOrder<Dim, autodiff::Pack> density_of_stretches(const std::array<autodiff::Pack, Dim>& s,
+                                                                const Material<double>& c) {
+  using Scalar = autodiff::SecondOrder<Dim, autodiff::Pack>;
+  SmallMat<Scalar, Dim> diagonal;
+  for (int i = 0; i < Dim; ++i) diagonal(i, i) = Scalar::variable(s[i], i);
+  return Density::template value<Scalar, double>(diagonal, c);
+}
+
+/// Second derivative by the entries of A in row order, its negative modes removed.
+template <int Dim>
+SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>& a, const autodiff::SecondOrder<Dim, autodiff::Pack>& psi);
 
 namespace detail {
 

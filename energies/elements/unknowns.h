@@ -2,15 +2,25 @@
 /// \file
 /// The unknowns of a grid, and the constraints that express its nodes by them.
 
-#include "energies/elements/boundary_condition.h"
+#include "base/options.h"
 #include "energies/elements/shape_table.h"
 #include "grid/octree/octree.h"
 
 #include <array>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
+
+/// At the domain's boundary: natural, or phi = id.
+enum class BoundaryCondition { neumann, dirichlet };
+template <>
+struct EnumNames<BoundaryCondition> {
+  static constexpr std::pair<BoundaryCondition, std::string_view> names[] = {
+      {BoundaryCondition::neumann, "neumann"}, {BoundaryCondition::dirichlet, "dirichlet"}};
+};
 
 /// One entry of the constraint matrix C, x_node = sum of weight * x_unknown (deal.II: AffineConstraints).
 struct ConstraintEntry {

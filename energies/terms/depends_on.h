@@ -58,7 +58,7 @@ struct OwnOptions {  ///< a pointer to the values of the term's own options, in 
 };
 
 /// Base of a field of the user's own, with N components, which the functor gets as SmallVec<P, N>. Its values are given
-/// with the term (energies/elements/user_field.h).
+/// with the term (energies/cost/element_fields.h).
 template <int N>
 struct OwnField {
   static constexpr int n_components = N;

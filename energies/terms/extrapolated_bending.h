@@ -6,7 +6,7 @@
 namespace shellmatch {
 
 /// Bending whose W grows quadratically, not exponentially, where the surface has turned over
-/// (energies/densities/growth.h).
+/// (energies/densities/thin_shell.h).
 template <int Dim>
 struct ExtrapolatedBending : Bending<Dim> {
   static constexpr TermInfo info{

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 
-#include "energies/densities/square.h"
+#include "energies/densities/material.h"
 #include "energies/terms/term.h"
 
 namespace shellmatch {

@@ -10,22 +10,22 @@
 ///     template <int Dim>
 ///     struct NormalAlignment : BandTerm<Dim> {                      where it is integrated
 ///       static constexpr TermInfo info{...};
-///       using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>;    the functor's arguments
-///       (energies/terms/depends_on.h) using Density = SquareDensity<Dim>;                         W
-///       (energies/densities/material.h)
+///       using Reads = DependsOn<Dphi, TargetNormal, ReferenceNormal>;    the functor's arguments, in order
+///                                                                        (energies/terms/depends_on.h)
+///       using Density = SquareDensity<Dim>;                              W (energies/densities/material.h)
 ///
 ///       template <class T, class P>
-///       constexpr SmallVec<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2, const
-///       SmallVec<P, Dim>& n1) const;
+///       constexpr SmallVec<T, Dim> operator()(const SmallMat<T, Dim>& dphi, const SmallVec<T, Dim>& n2,
+///                                             const SmallVec<P, Dim>& n1) const;
 ///     };
 ///
 /// Its base says where it is integrated:
 ///
 ///     BandTerm    over the band, weighted with eta_sigma(d1): it reads any field
 ///     CellTerm    over the domain: it reads Phi, Dphi, its own options and its own fields
-///     CornerTerm  a function of the positions of a cell's corners: operator()(corners, factor) is an array, W acts on
-///     each
-///                 entry, and the term is the cell's volume times their mean
+///     CornerTerm  a function of the positions of a cell's corners:
+///                 operator()(corners, factor) is an array, W acts on each entry,
+///                 and the term is the cell's volume times their mean
 ///
 /// ElementCost<Term> (energies/cost/element_cost.h) is the same as a functor in Ceres' convention over the degrees of
 /// freedom of one element, `bool operator()(const T* dofs, T* energy) const`, and for squares ElementResiduals<Term>
@@ -43,14 +43,14 @@
 ///
 /// Optional members:
 ///
-///     static constexpr bool is_tangential = true   the argument is P2 X P1 for some X, to which n2 n1^T is added (that
-///     is
-///                                                  not part of the functor): Newton's model is then made in tangent
-///                                                  frames. It has no direction of its own in the reference: where Dphi
-///                                                  becomes Dphi Q, n1 Q^T n1 and r1 Q^T r1 Q, A becomes A Q for
-///                                                  orthogonal Q
-///     static constexpr std::array<TermOption, n> own  options of its own, which the functor gets as OwnOptions, in
-///     this order
+///     static constexpr bool is_tangential = true
+///         the argument is P2 X P1 for some X, to which n2 n1^T is added (that is not part of the functor).
+///         Newton's model is then made in tangent frames. The argument has no direction of its own in the reference:
+///         where Dphi becomes Dphi Q, n1 Q^T n1 and r1 Q^T r1 Q, A becomes A Q for orthogonal Q
+///
+///     static constexpr std::array<TermOption, n> own
+///         options of its own,
+///         which the functor gets as OwnOptions, in this order
 
 #include "base/options.h"
 #include "energies/densities/material.h"

@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// The names of the terms of energies/terms/list.h, known at compile time. energies/options.h has them at run time,
-/// without the terms themselves.
+/// The names of the terms of energies/terms/list.h, known at compile time. energies/energy_options.h has them at run
+/// time, without the terms themselves.
 
-#include "energies/terms/term_place.h"
 #include "energies/terms/list.h"
+#include "energies/terms/term_values.h"
 
 #include <array>
 #include <cstddef>

@@ -2,12 +2,13 @@
 /// \file
 /// One number for each term of the energy.
 
-#include "energies/terms/term_place.h"
-
 #include <cstddef>
 #include <vector>
 
 namespace shellmatch {
+
+/// Place of a term in lists of term values; energies/terms/term_names.h knows the names.
+enum class Term : std::size_t {};
 
 /// Weights of the terms, or weighted values. An energy with terms that are not in energies/terms/list.h has their
 /// numbers after those of the list.

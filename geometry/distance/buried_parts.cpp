@@ -2,8 +2,8 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
-#include "geometry/distance/crossing_number.h"
 #include "geometry/distance/facet_tree.h"
+#include "geometry/distance/winding_number.h"
 #include "geometry/surface/facet_edges.h"
 #include "geometry/surface/facet_point.h"
 

@@ -1,7 +1,6 @@
-#include "geometry/distance/crossing_number.h"
+#include "geometry/distance/winding_number.h"
 
 #include "geometry/distance/cgal_triangle_tree.h"
-#include "geometry/distance/winding_number.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

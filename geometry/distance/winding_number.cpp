@@ -1,6 +1,7 @@
 #include "geometry/distance/winding_number.h"
 
 #include <Eigen/Geometry>
+
 #include <cmath>
 #include <numbers>
 

@@ -1,13 +1,10 @@
 #include "geometry/generate/families.h"
 
 #include "base/error.h"
-#include "geometry/generate/beet.h"
-#include "geometry/generate/box.h"
 #include "geometry/generate/dolphin.h"
-#include "geometry/generate/face.h"
 #include "geometry/generate/hand.h"
+#include "geometry/generate/implicit_bodies.h"
 #include "geometry/generate/outline.h"
-#include "geometry/generate/ring.h"
 #include "geometry/generate/round.h"
 
 #include <fmt/ranges.h>

@@ -3,9 +3,9 @@
 /// A shape out of a volume: the surface of a label.
 
 #include "geometry/surface/surface.h"
-#include "geometry/volume/volume_name.h"
 #include "geometry/volume/make_volume.h"
 #include "geometry/volume/volume.h"
+#include "geometry/volume/volume_name.h"
 
 #include <string>
 

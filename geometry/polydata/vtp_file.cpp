@@ -14,7 +14,7 @@ namespace shellmatch {
 
 namespace {
 
-constexpr XmlExpectation polygonal{"PolyData", "polygonal data",
+constexpr XmlExpectation polygonal{"PolyData", "VTK file of polygonal data",
                                    "a surface is of type PolyData (in ParaView: Extract Surface, save as .vtp)"};
 
 class VtpFile {

@@ -2,8 +2,8 @@
 #include "base/stop.h"
 #include "geometry/repair/cgal_repair_mesh.h"
 #include "geometry/repair/close_surface.h"
-#include "geometry/surface/border_loops.h"
 #include "geometry/surface/facet_edges.h"
+#include "geometry/surface/topology.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

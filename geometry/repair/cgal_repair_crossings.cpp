@@ -1,4 +1,4 @@
-#include "geometry/repair/repair_crossings.h"
+#include "geometry/repair/repair_steps.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>

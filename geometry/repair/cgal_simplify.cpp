@@ -1,6 +1,6 @@
 #include "base/stop.h"
 #include "geometry/repair/cgal_repair_mesh.h"
-#include "geometry/repair/simplify.h"
+#include "geometry/repair/repair_steps.h"
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>

@@ -1,6 +1,6 @@
 // Which vertices lie on which border edges is found by CGAL's intersection of boxes.
 #include "base/disjoint_sets.h"
-#include "geometry/repair/stitch_cracks.h"
+#include "geometry/repair/repair_steps.h"
 #include "geometry/surface/facet_edges.h"
 
 #include <CGAL/Bbox_3.h>

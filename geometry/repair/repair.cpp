@@ -3,11 +3,10 @@
 #include "base/error.h"
 #include "base/stop.h"
 #include "base/text.h"
-#include "geometry/surface/self_intersections.h"
 #include "geometry/repair/close_surface.h"
 #include "geometry/repair/flat_triangles.h"
 #include "geometry/repair/repair_steps.h"
-#include "geometry/repair/stitch_cracks.h"
+#include "geometry/surface/self_intersections.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/repair/repair.h"
-#include "geometry/repair/repair_crossings.h"
+#include "geometry/repair/repair_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,7 @@
 #include <set>
 
 namespace shellmatch {
+
 namespace {
 
 // Six digits of the shape's size, however far from the origin it lies.

@@ -11,6 +11,31 @@
 
 namespace shellmatch {
 
+/// A surface of the same topology with about `n_vertices` vertices (closed surfaces; a few more where there are
+/// borders), by collapsing the shortest edge to its middle again and again, so that edges end up of similar length. A
+/// collapse that would change the topology is left out. Facets that make the surface non-manifold are dropped.
+Surface<3> simplified(const Surface<3>& surface, std::size_t n_vertices);
+
+/// Joins borders that lie within `distance` of each other: their vertices that coincide become one, and triangles are
+/// split where a vertex of another border lies on their edge. Keeps the surface as it is where that closes nothing.
+/// Vertices stay until remove_unused_vertices(). Returns the number of border edges that were closed.
+std::size_t stitch_cracks(Surface<3>& surface, double distance);
+
+/// Pairs (f < g) of segments that share a point other than a common end, or an inner point of both. Exact test, sorted.
+/// \param most the search ends where more than so many are found: n segments may cross n (n - 1) / 2 times
+enum class Contact { any, of_inner_points };
+std::vector<std::pair<Index, Index>> crossing_segments(const Surface<2>& outline, Contact contact, std::size_t most);
+
+/// All pairs of a segment and a vertex in its interior (exact test), sorted by segment and along the segment.
+std::vector<std::pair<Index, Index>> touching_vertices(const Surface<2>& outline);
+
+/// Whether the path a - p - b passes through the path c - p - d at p, from one side of it to the other. Exact test.
+/// \pre no two of the four ends lie in the same direction from p
+bool pass_through_at(const Vec<2>& p, const Vec<2>& a, const Vec<2>& b, const Vec<2>& c, const Vec<2>& d);
+
+/// A common point of both segments, up to rounding.
+Vec<2> crossing_point(const Surface<2>& outline, Index f, Index g);
+
 using Triangles = std::vector<std::array<Index, 3>>;
 
 /// Triangulates every polygon: convex ones as fans, others by ear clipping. Repeated consecutive corners are

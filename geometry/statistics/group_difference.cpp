@@ -1,10 +1,10 @@
 #include "geometry/statistics/group_difference.h"
 
+#include "base/decompositions.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/symmetric_eigen.h"
 #include "geometry/statistics/products.h"
-#include "geometry/statistics/splits.h"
+#include "geometry/statistics/random.h"
 
 #include <algorithm>
 #include <cmath>

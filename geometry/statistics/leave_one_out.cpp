@@ -1,6 +1,6 @@
 #include "geometry/statistics/leave_one_out.h"
 
-#include "geometry/statistics/gram_eigen.h"
+#include "geometry/statistics/products.h"
 
 #include <algorithm>
 #include <cmath>

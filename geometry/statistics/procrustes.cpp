@@ -1,8 +1,8 @@
 #include "geometry/statistics/procrustes.h"
 
+#include "base/decompositions.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/svd.h"
 
 #include <Eigen/LU>
 

@@ -1,7 +1,9 @@
 #pragma once
 /// \file
-/// Random numbers that are the same everywhere: the standard fixes the output of std::mt19937_64, but not that of its
-/// distributions.
+/// Random numbers that are the same everywhere, as the standard fixes the output of std::mt19937_64 but not that of its
+/// distributions, and random splits of shapes into two groups.
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +12,25 @@
 #include <vector>
 
 namespace shellmatch {
+
+/// The observed split and others.
+class Splits {
+ public:
+  /// \param is_b the observed split
+  /// \param limit at least 1: all distinct splits where there are not more; else the observed one, which is the first,
+  /// and limit - 1 random ones, which may repeat
+  Splits(const std::vector<char>& is_b, int limit, std::uint64_t seed);
+
+  Eigen::Index size() const { return size_; }
+  bool are_all() const { return are_all_; }
+  /// Rows: shapes; a column for each of the splits from `begin` on: 1 in group B, 0 in group A.
+  Eigen::MatrixXd indicators(Eigen::Index begin, Eigen::Index n) const;
+
+ private:
+  Eigen::Index n_shapes_, size_ = 0;
+  bool are_all_ = false;
+  std::vector<char> in_b_;  // split after split
+};
 
 /// Numbers that follow from a seed.
 class Random {

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/stop.h"
-#include "geometry/statistics/gram_eigen.h"
 #include "geometry/statistics/products.h"
 #include "geometry/statistics/random.h"
 

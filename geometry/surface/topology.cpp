@@ -3,9 +3,42 @@
 #include "base/disjoint_sets.h"
 #include "geometry/surface/facet_edges.h"
 
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
+
+std::optional<std::vector<BorderLoop>> border_loops(const Surface<3>& surface) {
+  // Against the direction of the facets: what fills a hole runs through its edges the other way.
+  struct Way {
+    Index next = no_index, opposite = no_index;
+  };
+  std::vector<Way> ways(surface.vertices.size());
+  std::vector<Index> starts;
+  bool is_simple = true;
+  const auto corner = [&](const FacetEdge& e, int k) { return surface.facets[e.facet][(e.begin + k) % 3]; };
+  for_each_edge(sorted_edges(surface.facets, surface.vertices.size()),
+                [&](const FacetEdge* begin, const FacetEdge* end) {
+                  if (end - begin == 2 && corner(begin[0], 0) != corner(begin[1], 0)) return;
+                  is_simple = is_simple && end - begin == 1 && ways[corner(*begin, 1)].next == no_index;
+                  if (!is_simple) return;
+                  ways[corner(*begin, 1)] = {corner(*begin, 0), corner(*begin, 2)};
+                  starts.push_back(corner(*begin, 1));
+                });
+  if (!is_simple) return std::nullopt;
+  std::vector<BorderLoop> loops;
+  for (const Index start : starts) {
+    if (ways[start].next == no_index) continue;  // of a loop before
+    BorderLoop& loop = loops.emplace_back();
+    for (Index v = start; ways[v].next != no_index;) {
+      loop.vertices.push_back(v);
+      loop.opposite.push_back(ways[v].opposite);
+      v = std::exchange(ways[v].next, no_index);
+      if (ways[v].next == no_index && v != start) return std::nullopt;
+    }
+  }
+  return loops;
+}
 
 namespace {
 

@@ -1,12 +1,24 @@
 #pragma once
 /// \file
-/// Components and genus of a closed surface.
+/// Components, genus and borders of a surface.
 
 #include "geometry/surface/surface.h"
 
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace shellmatch {
+
+/// A hole, as it is seen by what fills it.
+struct BorderLoop {
+  std::vector<Index> vertices;  ///< each facet that fills the hole runs through them in this order
+  std::vector<Index> opposite;  ///< the third corner of the facet beside vertices k and k + 1
+};
+
+/// The holes of a surface in the order of their first edges. None where an edge has more than two facets or two that
+/// run through it in the same direction, or where two borders meet in a vertex.
+std::optional<std::vector<BorderLoop>> border_loops(const Surface<3>& surface);
 
 struct Topology {
   std::size_t n_vertices = 0;    ///< those of facets

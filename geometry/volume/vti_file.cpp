@@ -18,7 +18,7 @@ namespace shellmatch {
 
 namespace {
 
-constexpr XmlExpectation image{"ImageData", "images",
+constexpr XmlExpectation image{"ImageData", "VTK file of images",
                                "a volume is of type ImageData (in ParaView: Resample To Image, save as .vti)"};
 
 VoxelType voxel_type(const std::string& path, ValueType type) {

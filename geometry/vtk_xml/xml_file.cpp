@@ -21,7 +21,7 @@ VtkXmlFile::VtkXmlFile(const std::string& path, std::string_view bytes, const Xm
 }
 
 void VtkXmlFile::damaged(std::string_view why) const {
-  throw_input_error("{}: damaged, cut off, or no VTK file of {} ({})", path_, expected_.what, printable(why));
+  throw_input_error("{}: damaged, cut off, or no {} ({}){}", path_, expected_.what, printable(why), expected_.instead);
 }
 
 const XmlArray* VtkXmlFile::find(const XmlPiece& piece, std::string_view section, std::string_view name) {
@@ -77,28 +77,28 @@ void VtkXmlFile::read_array(const XmlTag& tag, std::string_view section) {
     damaged(fmt::format("the components of '{}'", array.name));
   if (++n_arrays_ > max_xml_arrays) damaged("more arrays than can be used");
   array.content = tag.is_complete ? std::string_view() : text_within(tag.name);
-  if (section == "FieldData") return read_fact(array, type, tag);
+  const bool is_fact = section == "FieldData";
+  if (is_fact && array.name == "SPACE" && type == "String") return read_space(std::move(array), tag);
   const std::optional<ValueType> known = xml_type(type);
   if (!known) {
-    if (section != "PointData" && section != "CellData") damaged(fmt::format("an array of type {}", type));
+    if (!is_fact && section != "PointData" && section != "CellData") damaged(fmt::format("an array of type {}", type));
     if (section == "PointData")
       dropped_.push_back(fmt::format("point data '{}' of type {} dropped", printable(array.name), printable(type, 40)));
     return;
   }
   array.type = *known;
-  if (pieces_.empty() || section.empty()) damaged("an array in no piece");
-  std::vector<XmlArray>& arrays = pieces_.back().sections[std::string(section)];
+  if (section.empty() || (pieces_.empty() && !is_fact)) damaged("an array in no piece");
+  std::vector<XmlArray>& arrays = (is_fact ? facts_ : pieces_.back()).sections[std::string(section)];
   if (array.format == XmlFormat::appended) {
     array.content = {};
-    appended_.push_back(
-        {pieces_.size() - 1, number(tag, "offset", std::size_t{1} << 40), std::string(section), arrays.size()});
+    appended_.push_back({is_fact ? std::nullopt : std::optional(pieces_.size() - 1),
+                         number(tag, "offset", std::size_t{1} << 40), std::string(section), arrays.size()});
   }
   arrays.push_back(std::move(array));
 }
 
 // 3D Slicer names the frame in the data of the whole, as a list of the numbers of characters.
-void VtkXmlFile::read_fact(XmlArray array, std::string_view type, const XmlTag& tag) {
-  if (array.name != "SPACE" || type != "String") return;
+void VtkXmlFile::read_space(XmlArray array, const XmlTag& tag) {
   if (array.format == XmlFormat::appended) {
     space_offset_ = number(tag, "offset", 0);
     space_array_ = std::move(array);
@@ -173,7 +173,7 @@ void VtkXmlFile::take_appended() {
   for (const Appended& a : appended_) ends.push_back(a.offset);
   std::ranges::sort(ends);
   for (const Appended& a : appended_) {
-    XmlArray& array = pieces_[a.piece].sections[a.section][a.index];
+    XmlArray& array = (a.piece ? pieces_[*a.piece] : facts_).sections[a.section][a.index];
     if (a.offset > data.size()) damaged(fmt::format("the array '{}' begins beyond its end", array.name));
     const auto next = std::ranges::upper_bound(ends, a.offset);
     array.content = data.substr(a.offset, next == ends.end() ? data.npos : *next - a.offset);

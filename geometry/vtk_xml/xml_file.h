@@ -24,9 +24,10 @@ struct XmlPiece {
 
 /// What a reader wants of a file.
 struct XmlExpectation {
-  std::string_view type;    ///< "PolyData"
-  std::string_view what;    ///< "polygonal data", for messages
-  std::string_view advice;  ///< for files of another type
+  std::string_view type;          ///< "PolyData"
+  std::string_view what;          ///< "VTK file of polygonal data", for messages
+  std::string_view advice;        ///< for files of another type
+  std::string_view instead = "";  ///< for damaged files: "; give another"
 };
 
 /// The head of a file, and where its values are. The bytes outlive it.
@@ -36,6 +37,8 @@ class VtkXmlFile {
   VtkXmlFile(const std::string& path, std::string_view bytes, const XmlExpectation& expected);
 
   const std::vector<XmlPiece>& pieces() const { return pieces_; }
+  /// The arrays of numbers of the whole, in the section "FieldData".
+  const XmlPiece& facts() const { return facts_; }
   /// <PolyData ...>, <ImageData ...>
   const XmlTag& data_set() const { return data_set_; }
   /// What 3D Slicer has written of the frame.
@@ -59,14 +62,15 @@ class VtkXmlFile {
 
  private:
   struct Appended {
-    std::size_t piece, offset;
+    std::optional<std::size_t> piece;  // none: of facts_
+    std::size_t offset;
     std::string section;
     std::size_t index;
   };
   void read_tags();
   void read_root(const XmlTag& tag);
   void read_array(const XmlTag& tag, std::string_view section);
-  void read_fact(XmlArray array, std::string_view type, const XmlTag& tag);
+  void read_space(XmlArray array, const XmlTag& tag);
   void set_space(const XmlArray& array);
   void take_appended();
   std::string_view text_within(std::string_view name) const;
@@ -77,6 +81,7 @@ class VtkXmlFile {
   XmlEncoding encoding_;
   XmlTag data_set_;
   std::vector<XmlPiece> pieces_;
+  XmlPiece facts_;
   std::vector<Appended> appended_;
   std::size_t n_arrays_ = 0;
   Space space_ = Space::unsaid;

@@ -1,6 +1,6 @@
 #include "grid/fits/classification.h"
 
-#include "base/symmetric_eigen.h"
+#include "base/decompositions.h"
 #include "base/error.h"
 #include "grid/fits/matrix_root.h"
 

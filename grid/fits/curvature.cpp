@@ -1,9 +1,9 @@
 #include "grid/fits/curvature.h"
 
+#include "base/decompositions.h"
 #include "base/parallel.h"
-#include "base/symmetric_eigen.h"
-#include "grid/octree/constraints.h"
 #include "grid/fields/projection.h"
+#include "grid/octree/constraints.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "grid/fits/matrix_root.h"
 
+#include "base/decompositions.h"
 #include "base/error.h"
-#include "base/symmetric_eigen.h"
 
 #include <Eigen/LU>
 

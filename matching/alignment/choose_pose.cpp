@@ -1,6 +1,6 @@
 #include "matching/alignment/choose_pose.h"
 
-#include "alignment/outline/planar_pose.h"
+#include "alignment/pose/fit_pose.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

@@ -3,13 +3,13 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stop.h"
-#include "geometry/repair/simplify.h"
+#include "geometry/repair/repair_steps.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/result/figures.h"
-#include "matching/result/inverse_carrier.h"
+#include "matching/result/reference_map.h"
 #include "matching/result/spin_difference.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "energies/terms/term_names.h"
 #include "matching/derivative_check/gradient_check.h"
 #include "matching/experiment/level_solver.h"
-#include "matching/level/level_metric.h"
+#include "matching/level/level_energy.h"
 #include "matching/level/level_problem.h"
 #include "solvers/methods/fallback.h"
 
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace shellmatch {
 
@@ -29,10 +30,9 @@ LevelMinimisation<Dim>::LevelMinimisation(const Octree<Dim>& grid, GeometryPair<
                                           const Coverage<Dim>* coverage, const ObservedPair<Dim>& observed)
     : options_(options),
       grid_(grid),
-      level_(grid, std::move(geometry), options, pairs, coverage != nullptr),
-      mass_(level_.unknown_mass()),
-      coverage_(level_.is_covered(options) ? coverage : nullptr) {
-  if (!observed.is_all()) mask_.emplace(observed, level_.sigma);
+      level_(grid, std::move(geometry), options, pairs, observed),
+      mass_(level_.unknown_mass()) {
+  if (coverage != nullptr) add_coverage(level_, *coverage, options);
 }
 
 template <int Dim>
@@ -57,13 +57,12 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
   result.band_measure = level_.energy.band().measure();
 
   const auto steps = schedule_of_level(options_.cascade, level);
-  const int rounds = std::max(coverage_ ? options_.coverage.rounds : 1, mask_ ? mask_rounds : 1);
+  const int rounds = std::max(level_.terms->follow_phi() ? options_.coverage.rounds : 1, level_.mask ? mask_rounds : 1);
   start.n_substeps = static_cast<int>(steps.size()) * rounds;
   result.term_names = level_.energy.term_names();
   const SolverOptions solver = solver_at_level(options_.solver, level);
   TermValues weights;
-  const auto follow_phi = [&] { follow<Dim>(level_, phi, mask_ ? &*mask_ : nullptr, coverage_); };
-  follow_phi();
+  level_.refresh(phi);
   std::optional<LevelProblem<Dim>> ahead;
   if (steps.size() > 1 && options_.cascade.negligible_start_rise > 0) {
     ahead.emplace(problem_of(solver, level_.weights(options_, steps.back().nu, steps.back().volume_weight), phi));
@@ -89,7 +88,7 @@ LevelResult LevelMinimisation<Dim>::minimise(int level, std::vector<Vec<Dim>>& p
       interrupted = result.last.reason == StopReason::interrupted;
       const bool is_refused = result.last.reason == StopReason::cannot_evaluate_start;
       if (is_refused && is_start && s == first && round == 0) refuse_start(level, phi, weights, result.last.message);
-      if (!ends_level && !interrupted) follow_phi();
+      if (!ends_level && !interrupted) level_.refresh(phi);
     }
     const double negligible = options_.cascade.negligible_rise * std::abs(result.last.final_value);
     s = terms.empty() ? s + 1 : step_after(s, steps.size(), rise_at(steps.back(), terms, weights), negligible);
@@ -108,7 +107,7 @@ template <int Dim>
 void LevelMinimisation<Dim>::report(const std::vector<Vec<Dim>>& phi, LevelResult& result) const {
   const int finer = std::min(options_.energy.quadrature_order + 1, 5);
   const EnergyReport report = report_energy<Dim>(level_.unknowns, level_.geometry, options_.energy, level_.sigma, finer,
-                                                 phi, weights_, mask_ ? &*mask_ : nullptr);
+                                                 phi, weights_, level_.mask ? &*level_.mask : nullptr);
   result.reported = report.values;
   result.reported.extend_to(weights_.size());
   level_.energy.set_point_values(phi, weights_, result.reported);
@@ -132,10 +131,11 @@ bool LevelMinimisation<Dim>::begins_with_last(const std::vector<ScheduleStep>& s
   TermValues weights = level_.weights(options_, steps.back().nu, steps.back().volume_weight);
   double energy = 0;
   for (const double term : terms) energy += term;
-  if (level_.coverage) {  // its pairs are new on this level, and their energy at first mostly what they ask for beyond
-                          // the level before
-    energy -= terms[static_cast<std::size_t>(*level_.coverage)];
-    weights[*level_.coverage] = 0;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (!(*level_.terms)[t].renewal) continue;
+    // Its points are new on this level, and their energy at first mostly what they ask for beyond the level before.
+    energy -= terms[t];
+    weights[t] = 0;
   }
   const double rise = -rise_at(steps.front(), terms, weights);
   return rise < options_.cascade.negligible_start_rise * std::abs(energy - rise);

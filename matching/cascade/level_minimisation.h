@@ -9,11 +9,9 @@
 #include "matching/experiment/options.h"
 #include "matching/level/level_energy.h"
 #include "matching/level/level_problem.h"
-#include "matching/level/observed_mask.h"
 #include "matching/pairs/coverage.h"
 #include "matching/progress/observer.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +22,7 @@ template <int Dim>
 class LevelMinimisation {
  public:
   /// \param grid, options  outlive this object
-  /// \param coverage       null where it does not act; outlives this object
+  /// \param coverage       null where it acts on no level; outlives this object
   /// \param observed       what the shapes have data of: the terms of the band are masked elsewhere
   LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry, const ExperimentOptions& options,
                     const std::vector<PairSet<Dim>>& pairs, const Coverage<Dim>* coverage,
@@ -43,8 +41,8 @@ class LevelMinimisation {
   LevelProblem<Dim> problem_of(const SolverOptions& solver, const TermValues& weights,
                                const std::vector<Vec<Dim>>& phi);
   /// Whether phi, as the level before left it, goes to the last step of the schedule at once: where that raises the
-  /// energy that it has in the first step, coverage aside, by less than cascade.negligible_start_rise. Evaluates the
-  /// last step's problem ahead.
+  /// energy that it has in the first step, terms that follow phi aside, by less than cascade.negligible_start_rise.
+  /// Evaluates the last step's problem ahead.
   bool begins_with_last(const std::vector<ScheduleStep>& steps, LevelProblem<Dim>& last,
                         const std::vector<Vec<Dim>>& phi) const;
   /// By how much the energy of the present phi, the sum of `terms` with these weights, would rise with the weights of
@@ -62,9 +60,7 @@ class LevelMinimisation {
   const Octree<Dim>& grid_;
   LevelEnergy<Dim> level_;
   std::vector<double> mass_;  ///< lumped, of each unknown node
-  const Coverage<Dim>* coverage_;
-  std::optional<ObservedMask<Dim>> mask_;  ///< where a shape has gaps
-  TermValues weights_;                     ///< of the last minimisation
+  TermValues weights_;        ///< of the last minimisation
 };
 
 }  // namespace shellmatch

@@ -84,13 +84,16 @@ void check_size(const RefinedMeasures& measures, int min_level, int max_level, c
     if (fits(s.memory_bytes, memory) && fits(s.disk_bytes, disk) && s.n_nodes < 1e9) break;
     --largest;
   }
-  const char* what = memory_fits && countable ? "room on the disk" : "memory";
-  const double needed = memory_fits && countable ? size.disk_bytes : size.memory_bytes;
-  const double given = static_cast<double>(memory_fits && countable ? disk : memory);
-  throw_environment_error(
+  const bool lacks_disk = memory_fits && countable;
+  const char* what = lacks_disk ? "room on the disk" : "memory";
+  const double needed = lacks_disk ? size.disk_bytes : size.memory_bytes;
+  const double given = static_cast<double>(lacks_disk ? disk : memory);
+  const std::string text = fmt::format(
       "level {} needs about {:.3g} GB of {}, of which {:.3g} GB are free (estimated: {:.3g} million "
       "nodes); stop at level {} instead, with --levels {}:{}",
       max_level, needed / 1e9, what, given / 1e9, size.n_nodes / 1e6, largest, std::min(min_level, largest), largest);
+  if (lacks_disk) throw DiskError(text);
+  throw EnvironmentError(text);
 }
 
 template RefinedMeasures refined_measures<2>(const Surface<2>&, const Surface<2>&, const ExperimentOptions&);

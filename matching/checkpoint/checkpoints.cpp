@@ -16,7 +16,6 @@
 
 #include <dlfcn.h>
 
-#include <array>
 #include <filesystem>
 
 namespace shellmatch {
@@ -108,7 +107,7 @@ std::string code_checksum() {
 }
 
 [[noreturn]] void cannot_copy(const std::string& to, const std::error_code& error) {
-  throw_environment_error("{}: cannot be written: {}", to, error.message());
+  cannot_be_written(error.value(), fmt::format("{}: cannot be written: {}", to, error.message()));
 }
 
 // Copies all files of `from`; does nothing where there is no such folder.

@@ -1,7 +1,7 @@
 #include "matching/checkpoint/level_vertices.h"
 
 #include "base/error.h"
-#include "matching/experiment/finest_level.h"
+#include "matching/experiment/level_overrides.h"
 #include "matching/output/write_file.h"
 
 #include <fmt/ranges.h>

@@ -9,7 +9,6 @@
 #include "matching/level/shape_fields.h"
 
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 
 namespace shellmatch {

@@ -1,7 +1,6 @@
 #include "matching/experiment/level_overrides.h"
 
 #include "base/error.h"
-#include "matching/experiment/finest_level.h"
 
 #include <algorithm>
 #include <charconv>

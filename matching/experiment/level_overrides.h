@@ -10,6 +10,9 @@
 
 namespace shellmatch {
 
+/// Its cells have the side 2^-15; about 10^9 of them would meet a surface, which no run gets to.
+inline constexpr int finest_level = 15;
+
 /// The overrides of one section; a member of its option struct, beside the options that it overrides.
 struct LevelOverrides {
   /// One value; for an enumeration the name of the enumerator.

@@ -3,7 +3,7 @@
 /// The solver options of one level: the section `solver` with the overrides of solver.levels applied.
 
 #include "matching/experiment/level_overrides.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 namespace shellmatch {
 

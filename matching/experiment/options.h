@@ -3,12 +3,11 @@
 /// The options of an experiment: everything on which a run depends.
 
 #include "base/options.h"
+#include "energies/energy_options.h"
 #include "geometry/repair/repair.h"
-#include "energies/options.h"
 #include "grid/options.h"
 #include "matching/experiment/align_options.h"
-#include "matching/experiment/check_options.h"
-#include "matching/experiment/finest_level.h"
+#include "matching/experiment/level_overrides.h"
 #include "matching/experiment/level_solver.h"
 #include "matching/experiment/pair_options.h"
 
@@ -16,6 +15,19 @@
 #include <string>
 
 namespace shellmatch {
+
+struct CheckGradientOptions {
+  int every = 0;
+  int directions = 1;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor& visit) {
+    visit("every", self.every,
+          {.unit = "iterations",
+           .min = 0,
+           .meaning = "check every term's gradient at the start of each minimisation and at every n-th iteration, and "
+                      "say in the summary what came of it; 0 checks nothing and costs nothing"});
+  }
+};
 
 enum class Profile { standard, paper };
 template <>

@@ -3,8 +3,8 @@
 /// What can be chosen of landmarks and of coverage. Each option names its unit.
 
 #include "base/options.h"
-#include "energies/pairs/robust_loss.h"
-#include "matching/experiment/finest_level.h"
+#include "energies/pairs/point_pairs.h"
+#include "matching/experiment/level_overrides.h"
 
 #include <string>
 

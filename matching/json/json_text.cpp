@@ -2,7 +2,6 @@
 
 #include "base/stop.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <istream>
 #include <vector>

@@ -2,11 +2,14 @@
 /// \file
 /// The energy of an experiment on one grid, together with all objects that it refers to.
 
-#include "energies/hessian/energy_hessian.h"
+#include <Eigen/SparseCore>
+
 #include "energies/assembly/matching_energy.h"
+#include "energies/hessian/energy_hessian.h"
 #include "energies/pairs/point_pairs.h"
 #include "grid/fields/mass.h"
 #include "matching/experiment/options.h"
+#include "matching/level/observed_mask.h"
 
 #include <cmath>
 #include <memory>
@@ -33,12 +36,12 @@ struct LevelEnergy {
   std::shared_ptr<EnergyTerms<Dim>> terms;
   MatchingEnergy<Dim> energy;
   EnergyHessian<Dim> hessian;
-  std::optional<Term> coverage;  ///< its pairs are remade as phi moves; present where the constructor was asked for it
+  std::optional<ObservedMask<Dim>> mask;  ///< where a shape has gaps
 
   /// \param pairs terms of their own, on all levels
-  /// \param with_coverage adds the term of coverage, without pairs until refresh() gives it some
+  /// \param observed what the shapes have data of: the terms of the band are masked elsewhere
   LevelEnergy(const Octree<Dim>& g, GeometryPair<Dim> shapes, const ExperimentOptions& options,
-              const std::vector<PairSet<Dim>>& pairs = {}, bool with_coverage = false)
+              const std::vector<PairSet<Dim>>& pairs = {}, const ObservedPair<Dim>& observed = {})
       : grid(g),
         sigma(band_half_width(options.cascade, g.finest_side())),
         unknowns(g, options.energy.boundary),
@@ -49,10 +52,7 @@ struct LevelEnergy {
     for (const PairSet<Dim>& set : pairs)
       terms->add(set.name, PairTerm<Dim>(g, set.pairs),
                  [weight = set.factor / options.cascade.nu](const TermScales&) { return weight; });
-    if (with_coverage)
-      coverage = terms->add(
-          "coverage", PairTerm<Dim>(),
-          [factor = is_covered(options) ? options.coverage.weight : 0](const TermScales& s) { return factor / s.nu; });
+    if (!observed.is_all()) mask.emplace(observed, sigma);
   }
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;
@@ -71,8 +71,17 @@ struct LevelEnergy {
     return mass;
   }
 
-  /// Does coverage act on this level?
-  bool is_covered(const ExperimentOptions& options) const { return covers(options, grid.finest_level()); }
+  /// What is made anew as phi moves becomes that for this phi: the mask, and the points of terms that follow it.
+  void refresh(const std::vector<Vec<Dim>>& phi) {
+    if (mask) energy.set_mask(phi, *mask);
+    terms->refresh(phi);
+  }
 };
+
+/// Matrix of the metric h1 or h1_band on the unknown nodes (energies/assembly/metric_matrix.h).
+/// \param weights of the terms in the minimisation that uses the metric
+template <int Dim>
+Eigen::SparseMatrix<double> level_metric(const LevelEnergy<Dim>& level, const SolverOptions& solver,
+                                         const TermValues& weights, Metric metric);
 
 }  // namespace shellmatch

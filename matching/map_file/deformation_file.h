@@ -54,7 +54,7 @@ Deformation<Dim> read_deformation(const std::string& path);
 
 /// The same from the bytes of a file, of whose checksum nothing is asked. \param path for messages
 template <int Dim>
-Deformation<Dim> parse_deformation(const std::string& path, std::string bytes);
+Deformation<Dim> parse_deformation(const std::string& path, const std::string& bytes);
 
 /// The dimension of the map in the file, 2 or 3. \throws InputError as read_deformation
 int deformation_dimension(const std::string& path);

@@ -1,11 +1,12 @@
 // Everything in the file is checked: it may have been written, or changed, by anybody.
 #include "base/error.h"
 #include "geometry/io/input_file.h"
+#include "geometry/vtk_xml/xml_file.h"
 #include "grid/octree/rebuild_grid.h"
 #include "matching/map_file/deformation_file.h"
-#include "matching/map_file/vtu_file.h"
-#include "matching/output/file_checksum.h"
+#include "matching/output/checksum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -40,31 +41,79 @@ std::string checked_bytes(const std::string& path) {
   return InputFile(path).read();
 }
 
-int dimension_of(const VtuFile& file) {
-  const int value = file.values<std::int32_t>("FieldData", "dimension", 1, 1)[0];
+constexpr XmlExpectation of_a_map{"UnstructuredGrid", "deformation that this program wrote", "a map is of another",
+                                  "; give the deformation.vtu of an output folder, or the folder"};
+
+/// The arrays of one grid, each of the type that this program writes.
+class MapFile {
+ public:
+  /// \pre both outlive this object
+  MapFile(const std::string& path, std::string_view bytes) try : file_(path, bytes, of_a_map) {
+    if (file_.pieces().size() != 1) file_.damaged("it is not of one piece");
+    n_points_ = file_.number(piece().tag, "NumberOfPoints", 0);
+    n_cells_ = file_.number(piece().tag, "NumberOfCells", 0);
+  } catch (const InputError& damage) {
+    if (std::string_view(damage.what()).starts_with(path + ": damaged")) throw;
+    throw_input_error("{}: damaged, cut off, or no {} ({}){}", path, of_a_map.what, damage.what(), of_a_map.instead);
+  }
+
+  std::size_t n_points() const { return n_points_; }
+  std::size_t n_cells() const { return n_cells_; }
+  bool has_fact(std::string_view name) const { return VtkXmlFile::find(file_.facts(), "FieldData", name) != nullptr; }
+
+  /// All components of one tuple after the other. \throws InputError where the array is missing, of another type or
+  /// size, damaged, or not finite
+  std::vector<double> values(std::string_view section, std::string_view name, ValueType type, std::size_t n_components,
+                             std::size_t n_tuples) const {
+    const XmlArray* array = VtkXmlFile::find(section == "FieldData" ? file_.facts() : piece(), section, name);
+    if (array == nullptr || array->type != type || array->n_components != n_components) damaged(name);
+    std::vector<double> found;
+    try {
+      found = file_.values(*array, n_components * n_tuples);
+    } catch (const InputError&) {
+      damaged(name);
+    }
+    if (!std::ranges::all_of(found, [](double x) { return std::isfinite(x); })) damaged(name);
+    return found;
+  }
+  std::vector<double> facts(std::string_view name, std::size_t n) const {
+    return values("FieldData", name, ValueType::float64, n, 1);
+  }
+
+  [[noreturn]] void damaged(std::string_view why) const { file_.damaged(why); }
+
+ private:
+  const XmlPiece& piece() const { return file_.pieces().front(); }
+
+  VtkXmlFile file_;
+  std::size_t n_points_ = 0, n_cells_ = 0;
+};
+
+int dimension_of(const MapFile& file) {
+  const double value = file.values("FieldData", "dimension", ValueType::int32, 1, 1)[0];
   if (value != 2 && value != 3) file.damaged("the dimension is neither 2 nor 3");
-  return value;
+  return static_cast<int>(value);
 }
 
 // Level and lower corner of the cells in the file, checked to lie on the lattice.
 template <int Dim>
-std::vector<LeafPlace<Dim>> places_of(const VtuFile& file, const std::vector<double>& positions) {
-  const std::int64_t n = file.n_cells();
+std::vector<LeafPlace<Dim>> places_of(const MapFile& file, const std::vector<double>& positions) {
+  const std::size_t n = file.n_cells();
   if (n == 0) file.damaged("it has no cells");
-  const auto levels = file.values<std::int32_t>("CellData", "level", 1, n);
-  const auto types = file.values<std::uint8_t>("Cells", "types", 1, n);
-  const auto ends = file.values<std::int64_t>("Cells", "offsets", 1, n);
-  const auto corners = file.values<std::int64_t>("Cells", "connectivity", 1, n * n_corners<Dim>);
-  std::vector<LeafPlace<Dim>> places(static_cast<std::size_t>(n));
+  const auto levels = file.values("CellData", "level", ValueType::int32, 1, n);
+  const auto types = file.values("Cells", "types", ValueType::uint8, 1, n);
+  const auto ends = file.values("Cells", "offsets", ValueType::int64, 1, n);
+  const auto corners = file.values("Cells", "connectivity", ValueType::int64, 1, n * n_corners<Dim>);
+  std::vector<LeafPlace<Dim>> places(n);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (types[i] != (Dim == 2 ? vtk_pixel : vtk_voxel) ||
-        ends[i] != static_cast<std::int64_t>((i + 1) * n_corners<Dim>))
+    if (types[i] != (Dim == 2 ? vtk_pixel : vtk_voxel) || ends[i] != static_cast<double>((i + 1) * n_corners<Dim>))
       file.damaged("a cell is neither a square nor a cube");
     for (std::size_t c = 0; c < n_corners<Dim>; ++c)
-      if (const std::int64_t point = corners[i * n_corners<Dim> + c]; point < 0 || point >= file.n_points())
+      if (const double point = corners[i * n_corners<Dim> + c];
+          point < 0 || point >= static_cast<double>(file.n_points()))
         file.damaged("a cell without points");
     LeafPlace<Dim>& place = places[i];
-    place.level = levels[i];
+    place.level = static_cast<int>(levels[i]);
     if (place.level < 0 || place.level > Octree<Dim>::max_level) file.damaged("a cell's level is out of range");
     for (int k = 0; k < Dim; ++k) {
       const double corner =
@@ -77,18 +126,13 @@ std::vector<LeafPlace<Dim>> places_of(const VtuFile& file, const std::vector<dou
   return places;
 }
 
-std::vector<double> facts(const VtuFile& file, const char* name, int n) {
-  return file.values<double>("FieldData", name, n, 1);
-}
-
 // The identity where the file has none.
 template <int Dim>
-Similarity<Dim> pose_of(const VtuFile& file) {
+Similarity<Dim> pose_of(const MapFile& file) {
   Similarity<Dim> pose;
-  if (!file.has("FieldData", "pose_scale")) return pose;
-  pose.scale = facts(file, "pose_scale", 1)[0];
-  const std::vector<double> rotation = facts(file, "pose_rotation", Dim * Dim),
-                            offset = facts(file, "pose_offset", Dim);
+  if (!file.has_fact("pose_scale")) return pose;
+  pose.scale = file.facts("pose_scale", 1)[0];
+  const std::vector<double> rotation = file.facts("pose_rotation", Dim * Dim), offset = file.facts("pose_offset", Dim);
   for (int i = 0; i < Dim; ++i) {
     pose.offset[i] = offset[i];
     for (int j = 0; j < Dim; ++j) pose.rotation(i, j) = rotation[i * Dim + j];
@@ -101,29 +145,29 @@ Similarity<Dim> pose_of(const VtuFile& file) {
 }  // namespace
 
 template <int Dim>
-Deformation<Dim> parse_deformation(const std::string& path, std::string bytes) {
-  const VtuFile file(path, std::move(bytes));
+Deformation<Dim> parse_deformation(const std::string& path, const std::string& bytes) {
+  const MapFile file(path, bytes);
   if (const int found = dimension_of(file); found != Dim)
     throw_input_error("{}: a deformation of dimension {}, but one of dimension {} is needed", path, found, Dim);
-  const std::int64_t n = file.n_points();
-  const std::vector<double> positions = file.values<double>("Points", "Points", 3, n);
-  const std::vector<double> phi = file.values<double>("PointData", "phi", 3, n);
-  const double scale = facts(file, "placement_scale", 1)[0];
-  const std::vector<double> offset = facts(file, "placement_offset", Dim);
+  const std::size_t n = file.n_points();
+  const std::vector<double> positions = file.values("Points", "Points", ValueType::float64, 3, n);
+  const std::vector<double> phi = file.values("PointData", "phi", ValueType::float64, 3, n);
+  const double scale = file.facts("placement_scale", 1)[0];
+  const std::vector<double> offset = file.facts("placement_offset", Dim);
   if (!(scale > 0)) file.damaged("placement_scale");
   const Similarity<Dim> pose = pose_of<Dim>(file);
-  const bool is_backward = file.has("FieldData", "is_backward");
-  if (is_backward && facts(file, "is_backward", 1)[0] != 1) file.damaged("is_backward");
+  const bool is_backward = file.has_fact("is_backward");
+  if (is_backward && file.facts("is_backward", 1)[0] != 1) file.damaged("is_backward");
 
-  const double space = file.has("FieldData", "space") ? facts(file, "space", 1)[0] : 0;
+  const double space = file.has_fact("space") ? file.facts("space", 1)[0] : 0;
   if (space != 0 && space != 1 && space != 2) file.damaged("space");
 
   std::optional<Octree<Dim>> grid = rebuild_grid<Dim>(places_of<Dim>(file, positions));
   if (!grid) file.damaged("the cells are no balanced tree");
-  if (n != grid->n_nodes()) file.damaged("the number of nodes");
-  Deformation<Dim> result{{}, std::move(*grid), std::vector<Vec<Dim>>(static_cast<std::size_t>(n))};
-  std::vector<char> is_set(static_cast<std::size_t>(n), 0);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+  if (n != static_cast<std::size_t>(grid->n_nodes())) file.damaged("the number of nodes");
+  Deformation<Dim> result{{}, std::move(*grid), std::vector<Vec<Dim>>(n)};
+  std::vector<char> is_set(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
     typename Octree<Dim>::Coord coord;
     for (int k = 0; k < Dim; ++k) {
       const double x = std::ldexp(positions[3 * i + k], Octree<Dim>::max_level);
@@ -152,11 +196,12 @@ Deformation<Dim> read_deformation(const std::string& path_or_folder) {
 
 int deformation_dimension(const std::string& path_or_folder) {
   const std::string path = file_in(path_or_folder);
-  return dimension_of(VtuFile(path, checked_bytes(path)));
+  const std::string bytes = checked_bytes(path);
+  return dimension_of(MapFile(path, bytes));
 }
 
-template Deformation<2> parse_deformation<2>(const std::string&, std::string);
-template Deformation<3> parse_deformation<3>(const std::string&, std::string);
+template Deformation<2> parse_deformation<2>(const std::string&, const std::string&);
+template Deformation<3> parse_deformation<3>(const std::string&, const std::string&);
 template Deformation<2> read_deformation<2>(const std::string&);
 template Deformation<3> read_deformation<3>(const std::string&);
 

@@ -2,8 +2,7 @@
 #include "geometry/polydata/vtk_one_thread.h"
 #include "matching/map_file/deflate.h"
 #include "matching/map_file/deformation_file.h"
-#include "matching/map_file/vtk_messages.h"
-#include "matching/output/file_checksum.h"
+#include "matching/output/checksum.h"
 #include "matching/progress/process_info.h"
 
 #include <vtkCellData.h>
@@ -13,20 +12,72 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 #include <vtkZLibDataCompressor.h>
 
 #include <array>
+#include <memory>
 #include <span>
 
 namespace shellmatch {
 
 namespace {
+
+/// During the lifetime of an object, VTK's messages are recorded instead of printed.
+class VtkMessages {
+ public:
+  VtkMessages();
+  ~VtkMessages();
+  VtkMessages(const VtkMessages&) = delete;
+  VtkMessages& operator=(const VtkMessages&) = delete;
+
+  /// Whether there has been a message.
+  bool any() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+struct Window : vtkOutputWindow {
+  vtkTypeMacro(Window, vtkOutputWindow) static Window* New() {
+    auto* window = new Window;
+    window->InitializeObjectBase();
+    return window;
+  }
+  void DisplayText(const char*) override { any = true; }
+  void DisplayErrorText(const char*) override { any = true; }
+  void DisplayWarningText(const char*) override { any = true; }
+  void DisplayGenericWarningText(const char*) override { any = true; }
+  void DisplayDebugText(const char*) override {}
+  bool any = false;
+};
+
+struct VtkMessages::State {
+  vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
+  vtkLogger::Verbosity verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkNew<Window> window;
+};
+
+VtkMessages::VtkMessages() : state_(std::make_unique<State>()) {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkOutputWindow::SetInstance(state_->window);
+}
+
+VtkMessages::~VtkMessages() {
+  vtkOutputWindow::SetInstance(state_->before);
+  vtkLogger::SetStderrVerbosity(state_->verbosity);
+}
+
+bool VtkMessages::any() const { return state_->window->any; }
 
 /// VTK's file format and class name, with deflate() in place of zlib. Writing the file is a run's longest part on one
 /// thread alone.
@@ -164,7 +215,7 @@ void write_deformation(const std::string& path, const Octree<Dim>& grid, const s
   writer->SetCompressor(compressor);
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() == 0 || messages.any() || writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw_environment_error("{}: cannot be written; is the disk full or the folder read-only?", path);
+    cannot_be_written(0, fmt::format("{}: cannot be written; is the disk full or the folder read-only?", path));
   append_checksum(path);
 }
 

@@ -2,8 +2,8 @@
 /// \file
 /// history.csv: one line for each accepted step of a run.
 
-#include "matching/result/history.h"
 #include "matching/render/canvas/plot.h"
+#include "matching/result/match_result.h"
 
 #include <string>
 

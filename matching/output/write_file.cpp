@@ -12,9 +12,10 @@
 namespace shellmatch {
 
 void cannot_write(const std::string& path, int error) {
-  throw_environment_error("{}: cannot be written ({}); {}", path, std::strerror(error),
-                          error == ENOSPC || error == EDQUOT ? "make room on the disk or choose another folder with -o"
-                                                             : "choose a folder you may write to with -o");
+  const bool is_full = error == ENOSPC || error == EDQUOT;
+  cannot_be_written(error, fmt::format("{}: cannot be written ({}); {}", path, std::strerror(error),
+                                       is_full ? "make room on the disk or choose another folder with -o"
+                                               : "choose a folder you may write to with -o"));
 }
 
 void synchronise_file(const std::string& path) {

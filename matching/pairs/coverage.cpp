@@ -123,15 +123,20 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<
 }
 
 template <int Dim>
-void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask,
-            const Coverage<Dim>* coverage) {
-  if (mask) level.energy.set_mask(phi, *mask);
-  if (coverage)
-    level.terms->refresh(*level.coverage, PairTerm<Dim>(level.grid, coverage->pairs(level.grid, phi, mask)));
+void add_coverage(LevelEnergy<Dim>& level, const Coverage<Dim>& coverage, const ExperimentOptions& options) {
+  const bool acts = covers(options, level.grid.finest_level());
+  typename EnergyTerms<Dim>::Renewal renewal;
+  if (acts)
+    renewal = [&level, &coverage](const std::vector<Vec<Dim>>& phi) {
+      return PairTerm<Dim>(level.grid, coverage.pairs(level.grid, phi, level.mask ? &*level.mask : nullptr));
+    };
+  level.terms->add(
+      "coverage", PairTerm<Dim>(),
+      [factor = acts ? options.coverage.weight : 0](const TermScales& s) { return factor / s.nu; }, renewal);
 }
 
-template void follow(LevelEnergy<2>&, const std::vector<Vec<2>>&, const BandMask<2>*, const Coverage<2>*);
-template void follow(LevelEnergy<3>&, const std::vector<Vec<3>>&, const BandMask<3>*, const Coverage<3>*);
+template void add_coverage(LevelEnergy<2>&, const Coverage<2>&, const ExperimentOptions&);
+template void add_coverage(LevelEnergy<3>&, const Coverage<3>&, const ExperimentOptions&);
 template class Coverage<2>;
 template class Coverage<3>;
 

@@ -53,10 +53,9 @@ class Coverage {
   double tolerance_;  ///< sides of the domain
 };
 
-/// What is made anew as phi moves becomes that for this phi: the mask of the terms of the band, and the pairs of
-/// coverage. Each may be null, and is where a shape has no gaps, or coverage does not act on this level.
+/// Adds the term of coverage to the energy of a level, whose points follow phi (LevelEnergy::refresh) where it acts.
+/// \pre both outlive the energy
 template <int Dim>
-void follow(LevelEnergy<Dim>& level, const std::vector<Vec<Dim>>& phi, const BandMask<Dim>* mask,
-            const Coverage<Dim>* coverage);
+void add_coverage(LevelEnergy<Dim>& level, const Coverage<Dim>& coverage, const ExperimentOptions& options);
 
 }  // namespace shellmatch

@@ -6,7 +6,6 @@
 #include "matching/pairs/point_formats.h"
 #include "matching/pairs/slicer_points.h"
 
-#include <cmath>
 #include <sstream>
 
 namespace shellmatch {

@@ -3,12 +3,29 @@
 /// Pictures of a result with a chosen view, colour and time.
 
 #include "base/options.h"
-#include "matching/pictures/result_shapes.h"
+#include "geometry/surface/surface.h"
 #include "matching/render/canvas/canvas.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace shellmatch {
+
+/// All in the coordinates of the template; the reference as alignment has turned it.
+template <int Dim>
+struct ResultShapes {
+  Surface<Dim> reference;  ///< with the vertices and facets of `deformed`
+  Surface<Dim> deformed, template_shape;
+  std::vector<double> distance_to_template, measure_ratio;  ///< at the vertices of `deformed`
+  std::vector<double> distance_to_deformed;                 ///< at those of the template
+  std::string unit;                                         ///< of lengths; empty where nobody has said
+};
+
+/// Reads deformed.ply, template.ply (.csv), deformation.vtu, config.yaml and the reference that this names.
+/// \throws InputError where one of them is missing, damaged, or the reference is not that of the result
+template <int Dim>
+ResultShapes<Dim> read_result_shapes(const std::string& folder);
 
 enum class ShownShapes { result, reference, template_shape, overlay, all };
 template <>

@@ -4,7 +4,7 @@
 
 #include "matching/experiment/options.h"
 #include "matching/report/packed_arrays.h"
-#include "matching/report/page_view.h"
+#include "matching/report/page.h"
 #include "matching/result/match_summary.h"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "matching/json/json_text.h"
 #include "matching/report/packed_arrays.h"
-#include "matching/report/page_view.h"
+#include "matching/report/page.h"
 
 #include <optional>
 #include <string>

@@ -3,10 +3,10 @@
 #include "base/error.h"
 #include "base/stop.h"
 #include "matching/output/write_file.h"
-#include "matching/report/grid_outline.h"
 #include "matching/report/description.h"
-#include "matching/report/filled_page.h"
+#include "matching/report/grid_outline.h"
 #include "matching/report/packed_arrays.h"
+#include "matching/report/page.h"
 #include "matching/report/report_page.h"
 #include "matching/report/surface_figures.h"
 

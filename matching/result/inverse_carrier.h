@@ -3,7 +3,7 @@
 /// Carries the reference where the template was deformed: by the inverse of phi, which is kept from stretching what
 /// lies beside phi(M2).
 
-#include "geometry/distance/oriented_facets.h"
+#include "geometry/distance/nearest_facets.h"
 #include "geometry/surface/surface.h"
 #include "grid/inverse/inverse_map.h"
 #include "grid/octree/octree.h"

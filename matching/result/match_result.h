@@ -5,13 +5,27 @@
 #include "geometry/surface/surface.h"
 #include "grid/fits/curvature.h"
 #include "matching/level/deformation.h"
-#include "matching/result/history.h"
 #include "matching/result/match_summary.h"
+#include "solvers/minimizer.h"
 
+#include <string>
 #include <variant>
 #include <vector>
 
 namespace shellmatch {
+
+/// One accepted step. `substep` counts the minimisations of a level, with decreasing nu, from 1.
+struct HistoryRow {
+  int level = 0, substep = 0;
+  double nu = 0;
+  IterationRecord record;
+};
+
+/// All steps; `term_names` are the names of IterationRecord::terms.
+struct History {
+  std::vector<std::string> term_names;
+  std::vector<HistoryRow> rows;
+};
 
 /// The closed surfaces that were matched, in the unit domain.
 template <int Dim>
@@ -37,7 +51,7 @@ struct MatchResult {
   Deformation<Dim> map;
   /// The reference as it was given, with all its vertices moved, in their order, and the additional attributes
   /// distance_to_template (unit of the shapes), area_ratio (length_ratio in the plane), and those of the nearest point
-  /// of the template (matching/result/nearest_faces.h).
+  /// of the template (matching/result/deformed_shape.h).
   OriginalShape<Dim> deformed;
   /// The template as it was given, with the additional attribute distance_to_deformed (unit of the shapes).
   OriginalShape<Dim> template_shape;

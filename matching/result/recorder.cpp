@@ -1,13 +1,32 @@
 #include "matching/result/recorder.h"
 
-#include "energies/options.h"
+#include "base/parallel.h"
+#include "energies/energy_options.h"
 #include "matching/derivative_check/gradient_report.h"
+#include "matching/progress/process_info.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace shellmatch {
+
+void RunClock::add_earlier(const RunFigures& figures) {
+  for (const auto& [phase, seconds] : figures.phase_seconds) phases[phase] += seconds;
+  earlier_ += figures.seconds;
+}
+
+double RunClock::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+void RunClock::state(RunFigures& figures) const {
+  figures.compiler = compiler_name();
+  figures.threads = n_threads();
+  figures.seconds = seconds() + earlier_;
+  figures.phase_seconds = {phases.begin(), phases.end()};
+  figures.peak_memory_bytes = std::max(figures.peak_memory_bytes, peak_memory_bytes());
+}
 
 Recorder::Recorder(Observer& next) : next_(next) {
   history.term_names.assign(term_names().begin(), term_names().end());

@@ -6,13 +6,21 @@
 #include "energies/assembly/folds.h"
 #include "geometry/surface/placement.h"
 #include "matching/derivative_check/gradient_report.h"
-#include "matching/self_test/self_check.h"
 
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace shellmatch {
+
+/// One comparison with what is known.
+struct SelfCheck {
+  std::string group, name;
+  double figure = 0;                               ///< an error, or a count of what is wrong
+  double bound = 0;                                ///< the largest that passes
+  bool passed() const { return figure <= bound; }  ///< false for NaN
+};
 
 /// Distances and curvatures of built-in shapes against their formulas, and the density W on multiples of rotations.
 std::vector<SelfCheck> check_closed_forms();

@@ -3,7 +3,7 @@
 /// A test of the program as it is installed, on this machine: what it computes, against what is known. Seconds, no
 /// files.
 
-#include "matching/self_test/self_check.h"
+#include "matching/self_test/known_cases.h"
 
 #include <functional>
 #include <string>

@@ -6,7 +6,7 @@
 #include "geometry/surface/placement.h"
 #include "geometry/surface/pseudonormals.h"
 #include "geometry/surface/topology.h"
-#include "matching/experiment/finest_level.h"
+#include "matching/experiment/level_overrides.h"
 #include "matching/experiment/options.h"
 
 #include <Eigen/Geometry>

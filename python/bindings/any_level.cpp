@@ -19,7 +19,7 @@ class LevelOf final : public AnyLevel {
       : level_(std::move(shapes), std::move(landmarks), options, level, observer),
         phi_(from_coarser ? level_.coarser_result(observer) : level_.identity()),
         problem_(level_.problem(solver_at_level(options.solver, level), phi_)) {
-    level_.follow(phi_);
+    level_.energy().refresh(phi_);
   }
 
   std::vector<double> start() override { return problem_.unknowns_of(phi_); }

@@ -1,18 +1,25 @@
 #pragma once
 /// \file
-/// Between numpy's arrays and the library's vectors. Shapes and types of arrays are checked in Python
-/// (shellmatch/_arrays.py); what would be read beyond an end is checked here, too.
+/// Between numpy's arrays and Python's texts, and the library's. Shapes and types of arrays are checked in Python.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
 
 #include "base/types.h"
 
-#include <pybind11/numpy.h>
-
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace shellmatch::python {
+
+/// Bytes that are no UTF-8 become \xNN, so that the text can be printed. \pre the interpreter's lock is held
+pybind11::str text_of(std::string_view bytes);
+
+/// The same of several, as a list.
+pybind11::list texts_of(const std::vector<std::string>& texts);
 
 namespace py = pybind11;
 

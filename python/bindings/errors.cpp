@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/stop.h"
-#include "python/bindings/text.h"
+#include "python/bindings/arrays.h"
 
 #include <pybind11/pybind11.h>
 

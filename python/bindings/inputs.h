@@ -2,12 +2,12 @@
 /// \file
 /// What a matching is made from, as Python hands it over: shapes, options and landmarks.
 
+#include <pybind11/pybind11.h>
+
 #include "matching/experiment/options.h"
 #include "matching/input/shape_pair.h"
 #include "matching/input/shape_source.h"
 #include "matching/pairs/landmarks.h"
-
-#include <pybind11/pybind11.h>
 
 #include <array>
 #include <cstdint>

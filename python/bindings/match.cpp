@@ -13,7 +13,6 @@
 #include "python/bindings/inputs.h"
 #include "python/bindings/map.h"
 #include "python/bindings/observer.h"
-#include "python/bindings/text.h"
 
 #include <pybind11/stl.h>
 

@@ -1,8 +1,8 @@
 #include "python/bindings/observer.h"
 
 #include "base/stop.h"
+#include "python/bindings/arrays.h"
 #include "python/bindings/computation.h"
-#include "python/bindings/text.h"
 
 namespace shellmatch::python {
 

@@ -7,7 +7,6 @@
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/computation.h"
-#include "python/bindings/text.h"
 
 #include <pybind11/stl.h>
 

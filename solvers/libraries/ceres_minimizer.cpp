@@ -141,32 +141,13 @@ ceres::NonlinearConjugateGradientType conjugate_gradient_type(CeresConjugateGrad
   return ceres::HESTENES_STIEFEL;
 }
 
-ceres::LineSearchInterpolationType interpolation_type(CeresInterpolation type) {
-  switch (type) {
-    case CeresInterpolation::bisection: return ceres::BISECTION;
-    case CeresInterpolation::quadratic: return ceres::QUADRATIC;
-    case CeresInterpolation::cubic: break;
-  }
-  return ceres::CUBIC;
-}
-
 ceres::GradientProblemSolver::Options library_options(CeresMethod method, const CeresOptions& o,
                                                       const StopOptions& stop = {}) {
   ceres::GradientProblemSolver::Options to;
   to.line_search_direction_type = direction_type(method);
   to.line_search_type = o.line_search_type == CeresLineSearch::armijo ? ceres::ARMIJO : ceres::WOLFE;
   to.nonlinear_conjugate_gradient_type = conjugate_gradient_type(o.nonlinear_conjugate_gradient_type);
-  to.line_search_interpolation_type = interpolation_type(o.line_search_interpolation_type);
   to.max_lbfgs_rank = o.max_lbfgs_rank;
-  to.use_approximate_eigenvalue_bfgs_scaling = o.use_approximate_eigenvalue_bfgs_scaling;
-  to.min_line_search_step_size = o.min_line_search_step_size;
-  to.line_search_sufficient_function_decrease = o.line_search_sufficient_function_decrease;
-  to.max_line_search_step_contraction = o.max_line_search_step_contraction;
-  to.min_line_search_step_contraction = o.min_line_search_step_contraction;
-  to.max_num_line_search_step_size_iterations = o.max_num_line_search_step_size_iterations;
-  to.max_num_line_search_direction_restarts = o.max_num_line_search_direction_restarts;
-  to.line_search_sufficient_curvature_decrease = o.line_search_sufficient_curvature_decrease;
-  to.max_line_search_step_expansion = o.max_line_search_step_expansion;
   to.function_tolerance = o.function_tolerance;
   to.gradient_tolerance = o.gradient_tolerance;
   to.parameter_tolerance = o.parameter_tolerance;

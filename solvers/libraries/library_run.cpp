@@ -37,16 +37,6 @@ Evaluation LibraryRun::evaluate(std::span<const double> x, std::span<double> gra
   }
 }
 
-Evaluation LibraryRun::probe(std::span<const double> x, std::span<double> gradient) noexcept {
-  if (halted()) return {};
-  try {
-    return run_.evaluate(x, gradient);
-  } catch (...) {
-    exception_ = std::current_exception();
-    return {};
-  }
-}
-
 void LibraryRun::keep(std::span<const double> x, std::span<const double> gradient, const Evaluation& at) {
   std::copy(x.begin(), x.end(), best_x_.begin());
   std::copy(gradient.begin(), gradient.end(), best_gradient_.begin());

@@ -24,10 +24,6 @@ class LibraryRun {
   /// See MinimizationRun::evaluate(). Throws nothing; evaluates nothing once halted().
   Evaluation evaluate(std::span<const double> x, std::span<double> gradient) noexcept;
 
-  /// The same for a point with which a library only measures differences: it is never the best point, and does not
-  /// count as an evaluation without a lower value.
-  Evaluation probe(std::span<const double> x, std::span<double> gradient) noexcept;
-
   /// Records the best point as an accepted step unless it has been recorded. Throws nothing. Returns false if
   /// the library must stop.
   bool accept_best() noexcept;

@@ -1,14 +1,13 @@
 #include "solvers/libraries/nlopt_minimizer.h"
 
-#include "base/error.h"
 #include "solvers/libraries/library_run.h"
 #include "solvers/vector_ops.h"
 
+#include <fmt/format.h>
 #include <nlopt.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 namespace shellmatch {
@@ -18,14 +17,12 @@ namespace {
 nlopt_algorithm algorithm(NloptMethod method) {
   switch (method) {
     case NloptMethod::lbfgs: return NLOPT_LD_LBFGS;
-    case NloptMethod::tnewton: return NLOPT_LD_TNEWTON_PRECOND_RESTART;
     case NloptMethod::var1: return NLOPT_LD_VAR1;
     case NloptMethod::var2: return NLOPT_LD_VAR2;
     case NloptMethod::mma: return NLOPT_LD_MMA;
-    case NloptMethod::ccsaq: return NLOPT_LD_CCSAQ;
-    case NloptMethod::slsqp: break;
+    case NloptMethod::ccsaq: break;
   }
-  return NLOPT_LD_SLSQP;
+  return NLOPT_LD_CCSAQ;
 }
 
 struct OptDeleter {
@@ -33,22 +30,11 @@ struct OptDeleter {
 };
 using Opt = std::unique_ptr<nlopt_opt_s, OptDeleter>;
 
-// NLopt's truncated Newton method multiplies by the Hessian through differences of gradients at points so far from its
-// iterate, which is the last point of its line search (luksan/pnet.c, eta0). They are not steps.
-constexpr double probe_length = 3.1622776601683795e-8;  // root of 1e-15
-
-bool is_probe(std::span<const double> x, std::span<const double> iterate) {
-  const double rounding = std::numeric_limits<double>::epsilon() * norm(x);
-  return std::abs(distance(x, iterate) - probe_length) <= 0.01 * probe_length + rounding;
-}
-
 struct Context {
   LibraryRun& run;
   nlopt_opt opt;
   int max_stalled;
-  bool has_probes;
-  std::vector<double> iterate;  // the last point that was no probe; entries that are no numbers before the first
-  bool not_finite = false;      // the library requested a point with an entry that is not finite
+  bool not_finite = false;  // the library requested a point with an entry that is not finite
   bool stalled = false;
 };
 
@@ -74,11 +60,9 @@ double evaluate(unsigned n, const double* x, double* gradient, void* data) {
     context.not_finite = true;
     return halt();
   }
-  const bool probes = context.has_probes && is_probe(at_x, context.iterate);
-  const Evaluation at = probes ? context.run.probe(at_x, g) : context.run.evaluate(at_x, g);
+  const Evaluation at = context.run.evaluate(at_x, g);
   // The library evaluates trial points without gradient; a step is accepted once its gradient is known.
-  if (at.feasible && gradient && !probes) context.run.accept_best();
-  if (!probes) std::copy(x, x + n, context.iterate.begin());
+  if (at.feasible && gradient) context.run.accept_best();
   if (context.run.halted()) return halt();
   if (context.run.stalled_evaluations() > context.max_stalled) {
     context.stalled = true;
@@ -99,28 +83,17 @@ std::string words(nlopt_result result, const Context& context) {
 MinimizerSummary NloptMinimizer::minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
                                           const IterationCallback& callback) const {
   const std::size_t n = objective.size();
-  if (method_ == NloptMethod::slsqp && n > static_cast<std::size_t>(options_.max_slsqp_size))
-    throw_input_error(
-        "solver.name: nlopt_slsqp keeps dense matrices and is limited to solver.nlopt.max_slsqp_size = "
-        "{} unknowns, but there are {}; use nlopt_lbfgs or lbfgs",
-        options_.max_slsqp_size, n);
   LibraryRun run(objective, x, stop, callback);
   if (!run.start()) return run.finish(x, StopReason::library, {});
 
   std::string ending;
   int n_starts = 0;
   std::vector<double> point(n);
-  while (!run.halted() && n_starts <= options_.max_restarts) {
+  while (!run.halted() && n_starts <= max_restarts_) {
     const Opt opt(nlopt_create(algorithm(method_), static_cast<unsigned>(n)));
     if (opt == nullptr) return run.finish(x, StopReason::library, "NLopt: out of memory");
-    Context context{.run = run,
-                    .opt = opt.get(),
-                    .max_stalled = options_.max_stalled_evaluations,
-                    .has_probes = method_ == NloptMethod::tnewton,
-                    .iterate = std::vector<double>(n, std::numeric_limits<double>::quiet_NaN())};
+    Context context{.run = run, .opt = opt.get(), .max_stalled = max_stalled_};
     nlopt_set_min_objective(opt.get(), evaluate, &context);
-    if (options_.vector_storage > 0)
-      nlopt_set_vector_storage(opt.get(), static_cast<unsigned>(options_.vector_storage));
     run.begin_again();
     point = run.best_x();
     const double before = run.best_value();

@@ -2,21 +2,22 @@
 /// \file
 /// Adapter of NLopt's gradient-based local methods.
 
-#include "solvers/library_options.h"
+#include "base/options.h"
 #include "solvers/minimizer.h"
 
 namespace shellmatch {
 
-enum class NloptMethod { lbfgs, tnewton, var1, var2, mma, ccsaq, slsqp };
+enum class NloptMethod { lbfgs, var1, var2, mma, ccsaq };
 template <>
 struct EnumNames<NloptMethod> {
-  static constexpr std::pair<NloptMethod, std::string_view> names[] = {
-      {NloptMethod::lbfgs, "nlopt_lbfgs"}, {NloptMethod::tnewton, "nlopt_tnewton"}, {NloptMethod::var1, "nlopt_var1"},
-      {NloptMethod::var2, "nlopt_var2"},   {NloptMethod::mma, "nlopt_mma"},         {NloptMethod::ccsaq, "nlopt_ccsaq"},
-      {NloptMethod::slsqp, "nlopt_slsqp"}};
+  static constexpr std::pair<NloptMethod, std::string_view> names[] = {{NloptMethod::lbfgs, "nlopt_lbfgs"},
+                                                                       {NloptMethod::var1, "nlopt_var1"},
+                                                                       {NloptMethod::var2, "nlopt_var2"},
+                                                                       {NloptMethod::mma, "nlopt_mma"},
+                                                                       {NloptMethod::ccsaq, "nlopt_ccsaq"}};
 };
 
-/// LD_LBFGS, LD_TNEWTON_PRECOND_RESTART, LD_VAR1, LD_VAR2, LD_MMA, LD_CCSAQ and LD_SLSQP.
+/// LD_LBFGS, LD_VAR1, LD_VAR2, LD_MMA and LD_CCSAQ.
 ///
 /// NLopt does not report the end of an iteration. Here a step is accepted whenever a point with a lower value
 /// than all previous ones has been evaluated. Numbers of iterations, and `decrease_window`, are therefore
@@ -34,16 +35,17 @@ struct EnumNames<NloptMethod> {
 /// passed to the caller.
 class NloptMinimizer final : public Minimizer {
  public:
-  explicit NloptMinimizer(NloptMethod method, const NloptOptions& options = {}) : method_(method), options_(options) {}
+  /// \param max_stalled evaluations without a lower value after which it is restarted
+  explicit NloptMinimizer(NloptMethod method, int max_stalled = 200, int max_restarts = 20)
+      : method_(method), max_stalled_(max_stalled), max_restarts_(max_restarts) {}
   std::string name() const override { return std::string(enum_name(method_)); }
 
-  /// \throws InputError for nlopt_slsqp with more than max_slsqp_size unknowns.
   MinimizerSummary minimize(Objective& objective, std::vector<double>& x, const StopOptions& stop,
                             const IterationCallback& callback = {}) const override;
 
  private:
   NloptMethod method_;
-  NloptOptions options_;
+  int max_stalled_, max_restarts_;
 };
 
 }  // namespace shellmatch

@@ -5,7 +5,7 @@
 /// Optimization, 2nd edition (2006).
 
 #include "solvers/minimization_run.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <cstddef>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "solvers/metric/metric.h"
-#include "solvers/stop_monitor.h"
+#include "solvers/minimization_run.h"
 
 namespace shellmatch {
 

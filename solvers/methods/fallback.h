@@ -2,7 +2,7 @@
 /// \file
 /// Minimisation by several methods: when one fails, the next continues from its best point.
 
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 /// \file
 /// The paper's method: nonlinear conjugate gradients after Fletcher and Reeves.
 
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 namespace shellmatch {
 

@@ -1,10 +1,10 @@
 #include "base/error.h"
 #include "solvers/libraries/ceres_minimizer.h"
+#include "solvers/libraries/nlopt_minimizer.h"
 #include "solvers/methods/fletcher_reeves.h"
 #include "solvers/methods/lbfgs.h"
 #include "solvers/methods/newton.h"
-#include "solvers/libraries/nlopt_minimizer.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <algorithm>
 
@@ -68,7 +68,7 @@ std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
   for (const auto& [method, name] : EnumNames<CeresMethod>::names)
     if (options.name == name) return std::make_unique<CeresMinimizer>(method, options.ceres);
   for (const auto& [method, name] : EnumNames<NloptMethod>::names)
-    if (options.name == name) return std::make_unique<NloptMinimizer>(method, options.nlopt);
+    if (options.name == name) return std::make_unique<NloptMinimizer>(method);
 
   refuse_name("solver.name", options.name, minimizer_names());
 }

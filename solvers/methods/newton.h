@@ -3,7 +3,7 @@
 /// Newton's method with an inexact linear solver, for objectives that offer a model of their second derivative.
 
 #include "solvers/minimizer.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 namespace shellmatch {
 

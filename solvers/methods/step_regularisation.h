@@ -5,7 +5,7 @@
 /// again.
 
 #include "solvers/objective.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <span>
 #include <vector>

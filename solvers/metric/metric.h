@@ -5,7 +5,7 @@
 
 #include "solvers/metric/metric_factor.h"
 #include "solvers/minimizer.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <memory>
 #include <span>

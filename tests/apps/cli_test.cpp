@@ -308,7 +308,7 @@ TEST_F(Cli, ChecksThatCannotBeMadeSayWhy) {
 
 TEST_F(Cli, AFullDiskIsTheMachinesFault) {
   const std::string command = fmt::format("{} config > /dev/full 2> {}/err", SHELLMATCH_PROGRAM, folder_.string());
-  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 3);
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 6);
 }
 
 }  // namespace

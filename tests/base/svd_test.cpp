@@ -1,5 +1,5 @@
 // Singular values and vectors of matrices built from known ones.
-#include "base/svd.h"
+#include "base/decompositions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/symmetric_eigen.h"
+#include "base/decompositions.h"
 
 #include <gtest/gtest.h>
 

@@ -38,7 +38,7 @@ class Misbehaviour(ScriptTest):
         self.assertIn(": 0 with violations", done.stdout)
 
     def test_what_is_noticed(self):
-        for after, told in [("[ $code = 3 ] && code=70", "exit code 70"),
+        for after, told in [("[ $code = 3 ] || [ $code = 6 ] && code=70", "exit code 70"),
                             ("[ $code = 0 ] || rm -f thesis.txt", "files of the user have changed: thesis.txt"),
                             ("[ $code = 0 ] || : > o.csv", "neither the earlier nor the new result"),
                             ("[ $code = 0 ] || echo part > .o.csv.partial-1", "left behind: .o.csv.partial-1"),

@@ -114,7 +114,7 @@ class Stage:
                 bad(f"exit code {code} after a kill")
             return
         # 127 and what the loader says come before the program begins.
-        if code not in (0, 2, 3):
+        if code not in (0, 2, 3, 5, 6):
             bad(f"exit code {code}")
         if "terminate called" in err or "Traceback" in err:
             bad("it was terminated")
@@ -174,7 +174,7 @@ class Stage:
             if not isinstance(told, dict) or told.get("status") not in ("failed", "out_of_memory", "diverged") or not told.get("message"):
                 if not (isinstance(told, dict) and told.get("status") == "crashed" and disturbance.kills):
                     bad(f"the run {run} is neither whole nor a failure that says why: {told}")
-            elif told.get("exit_code") not in (0, 2, 3):
+            elif told.get("exit_code") not in (0, 2, 3, 5, 6):
                 bad(f"the run {run} ended with exit code {told['exit_code']}: {told['message']}")
 
     def check_repeated(self, disturbance, done, outcome):

@@ -5,7 +5,7 @@
 #include "geometry/generate/generate_shape.h"
 #include "matching/input/shape_source.h"
 #include "solvers/minimizer.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -38,7 +38,7 @@ TEST(PairLevel, IsThatOfTheCascade) {
   for (const int level : {3, 4, 5}) {
     PairLevel<2> kept(ellipses(), {}, o, level, quiet);
     const std::vector<Vec<2>> phi = kept.coarser_result(quiet);
-    kept.follow(phi);
+    kept.energy().refresh(phi);
     LevelProblem<2> problem = kept.problem(o.solver, phi);
     double value = 0;
     ASSERT_TRUE(problem.evaluate(problem.unknowns_of(phi), value, {}));

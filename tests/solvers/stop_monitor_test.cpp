@@ -1,4 +1,4 @@
-#include "solvers/stop_monitor.h"
+#include "solvers/minimization_run.h"
 
 #include <gtest/gtest.h>
 

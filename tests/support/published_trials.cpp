@@ -45,8 +45,6 @@ Trial try_method(const std::string& method, TestProblem& problem) {
 std::string expected_failure(const std::string& method, const std::string& problem) {
   // A pair that works after all makes the test fail, so that the table stays true.
   static const std::map<std::pair<std::string, std::string>, std::string> reasons = {
-      {{"nlopt_slsqp", "extended_rosenbrock_1000"}, "dense: above max_slsqp_size"},
-      {{"nlopt_slsqp", "extended_powell_1000"}, "dense: above max_slsqp_size"},
       {{"ceres_bfgs", "extended_rosenbrock_1000"}, "dense: above max_bfgs_size, 500 here"},
       {{"ceres_bfgs", "extended_powell_1000"}, "dense: above max_bfgs_size, 500 here"},
   };

@@ -2,7 +2,7 @@
 /// \file
 /// Every method on every published problem.
 
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 #include "tests/support/test_problems.h"
 
 #include <string>

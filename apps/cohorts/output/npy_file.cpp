@@ -40,7 +40,7 @@ void write_values(const std::string& path, const std::string& type, const std::v
     const std::string head = npy_head(type, shape);
     out.write(head.data(), static_cast<std::streamsize>(head.size()));
     out.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size_bytes()));
-    if (!out.flush()) throw_environment_error("{}: cannot be written; is the disk full?", path);
+    if (!out.flush()) cannot_be_written(0, fmt::format("{}: cannot be written; is the disk full?", path));
   });
 }
 

@@ -64,10 +64,6 @@ bool is_written_in(const fs::path& folder, const fs::path& file) {
   return false;
 }
 
-}  // namespace
-
-namespace {
-
 void remove_if(const std::string& path, auto is_own) {
   std::error_code error;
   if (!fs::is_regular_file(fs::symlink_status(path, error))) return;  // a link is somebody's

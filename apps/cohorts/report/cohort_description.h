@@ -5,7 +5,7 @@
 #include "apps/cohorts/cohort_result.h"
 #include "apps/cohorts/report/thumbnails.h"
 #include "matching/report/packed_arrays.h"
-#include "matching/report/page_view.h"
+#include "matching/report/page.h"
 
 #include <optional>
 #include <string>

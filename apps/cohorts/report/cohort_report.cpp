@@ -5,7 +5,7 @@
 #include "apps/cohorts/report/point_values.h"
 #include "apps/cohorts/report/shown_shapes.h"
 #include "apps/cohorts/report/worst_first.h"
-#include "matching/report/filled_page.h"
+#include "matching/report/page.h"
 
 #include <fmt/format.h>
 

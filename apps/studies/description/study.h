@@ -2,12 +2,11 @@
 /// \file
 /// A comparison study, problems x solvers x metrics x parameters x repeats: its description, and the list of its runs.
 
+#include "apps/studies/description/option_file.h"
+#include "apps/studies/execution/run_task.h"
 #include "base/options.h"
 #include "matching/experiment/options.h"
 #include "matching/experiment/yaml_options.h"
-#include "apps/studies/execution/run_limits.h"
-#include "apps/studies/execution/run_task.h"
-#include "apps/studies/description/option_file.h"
 
 #include <string>
 #include <utility>

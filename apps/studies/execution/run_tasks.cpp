@@ -41,15 +41,6 @@ std::string last_words(const std::string& log) {
   return printable(last.starts_with(prefix) ? last.substr(prefix.size()) : last, max_message_length);
 }
 
-// Whether a run has ended for want of room on the disk: that is no result of the run, and the next ones would end
-// likewise.
-bool is_of_the_disk(const std::string& message) {
-  for (const char* words :
-       {"No space left on device", "is the disk full", "of room on the disk", "Disk quota exceeded"})
-    if (message.find(words) != std::string::npos) return true;
-  return false;
-}
-
 // Sets the status of a run whose process exited without an error, from its output.
 void judge_output(const std::string& output, RunResult& result) {
   result.status = RunStatus::failed;
@@ -119,11 +110,13 @@ class ActiveRun {
       judge_output(folder_.path_of("output"), result_);
     } else {
       result_.message = last_words(folder_.path_of("log.txt"));
-      if (result_.exit_code == exit_code::environment_error && is_of_the_disk(result_.message))
-        throw_environment_error("{}: {}; all results so far are kept, and the same command goes on once there is room",
-                                run_->name, result_.message);
-      const bool memory = result_.message.find("not enough memory") != std::string::npos;
-      result_.status = memory ? RunStatus::out_of_memory : RunStatus::failed;
+      // That is no result of the run, and the next ones would end likewise.
+      if (result_.exit_code == exit_code::disk_error)
+        throw DiskError(
+            fmt::format("{}: {}; all results so far are kept, and the same command goes on once there is room",
+                        run_->name, result_.message));
+      const bool lacks_memory = result_.exit_code == exit_code::memory_error;
+      result_.status = lacks_memory ? RunStatus::out_of_memory : RunStatus::failed;
     }
   }
 

@@ -3,8 +3,8 @@
 /// Runs of the program, each in its own process and folder; runs with a result are skipped. Studies and cohorts are
 /// made of them.
 
-#include "apps/studies/execution/run_limits.h"
 #include "apps/studies/execution/run_result.h"
+#include "apps/studies/execution/run_task.h"
 #include "apps/studies/execution/runs_folder.h"
 
 #include <cstddef>

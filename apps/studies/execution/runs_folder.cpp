@@ -34,7 +34,7 @@ std::string prepared(const std::string& path, const RunsFolderKind& kind) {
     if (const std::string name = entry.path().filename().string(); !is_known_entry(kind, name, has_runs()))
       throw_input_error("{}: holds {}, which no {} has written; choose another folder with -o", path, name, kind.owner);
   fs::create_directories(fs::path(absolute) / "runs", error);
-  if (error) throw_environment_error("{}: cannot be written: {}", path, error.message());
+  if (error) cannot_be_written(error.value(), fmt::format("{}: cannot be written: {}", path, error.message()));
   return absolute;
 }
 

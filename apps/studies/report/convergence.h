@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The convergence of a run on the finest level, and the cost of coming close to the best known energy.
+/// How methods compare: the convergence of a run on the finest level, the cost of coming close to the best known
+/// energy, and performance profiles.
 
 #include "matching/output/history_file.h"
 #include "matching/output/summary.h"
@@ -9,6 +10,20 @@
 #include <vector>
 
 namespace shellmatch {
+
+/// rho(tau), the share of problems that a solver solves within tau times the cost of the best solver for that problem.
+/// A step function, continuous from the right: its value is share[i] from ratio[i] on. The ratios increase strictly,
+/// beginning with 1.
+struct PerformanceProfile {
+  std::vector<double> ratio, share;
+
+  /// rho(tau); 0 for tau < 1.
+  double at(double tau) const;
+};
+
+/// One profile for each solver. \param costs costs[p][s] > 0 of solver s on problem p, infinity if it did not solve it.
+/// A problem that no solver solved counts as unsolved for all. \pre every problem has the same number of costs
+std::vector<PerformanceProfile> performance_profiles(const std::vector<std::vector<double>>& costs);
 
 /// An accepted step of the last minimisation of a cascade. Costs are those of the whole cascade until this step:
 /// earlier minimisations have other energies, but they are part of the way to this one.

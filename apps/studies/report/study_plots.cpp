@@ -1,14 +1,13 @@
 #include "apps/studies/report/study_plots.h"
 
+#include "apps/studies/report/convergence.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/types.h"
-#include "apps/studies/report/performance_profile.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace shellmatch {

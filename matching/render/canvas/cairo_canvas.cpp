@@ -69,7 +69,8 @@ void write_bytes(const std::string& bytes, const std::string& path) {
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   if (!out)
-    throw_environment_error("{}: the picture cannot be written; is the disk full or the folder read-only?", path);
+    cannot_be_written(
+        0, fmt::format("{}: the picture cannot be written; is the disk full or the folder read-only?", path));
 }
 
 std::string png_bytes(cairo_surface_t* surface) {

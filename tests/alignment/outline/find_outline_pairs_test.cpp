@@ -1,7 +1,7 @@
 // Pairs between outlines and their turned, scaled, renumbered and mirrored selves; symmetric ones stay; real hands and
 // leaves.
 #include "alignment/outline/find_outline_pairs.h"
-#include "alignment/outline/planar_pose.h"
+#include "alignment/pose/fit_pose.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/io/read_shape.h"

@@ -1,5 +1,5 @@
 // Motions of the plane from points that they have moved.
-#include "alignment/outline/planar_pose.h"
+#include "alignment/pose/fit_pose.h"
 #include "base/error.h"
 #include "tests/geometry/surface/test_surfaces.h"
 

@@ -1,5 +1,5 @@
 // Patches that a map takes elsewhere than what is around them.
-#include "alignment/pairs/consistent_groups.h"
+#include "alignment/pairs/confident_pairs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

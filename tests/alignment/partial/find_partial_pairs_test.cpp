@@ -1,7 +1,7 @@
 // Half of a bent hand on a whole, straight and turned one.
 #include "alignment/partial/find_partial_pairs.h"
 
-#include "alignment/partial/partial_shape.h"
+#include "alignment/partial/partial_map.h"
 #include "alignment/pose/fit_pose.h"
 #include "base/parallel.h"
 #include "geometry/distance/surface_distance.h"

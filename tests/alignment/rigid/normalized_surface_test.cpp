@@ -1,5 +1,5 @@
 // Moments and samples against closed forms.
-#include "alignment/rigid/normalized_surface.h"
+#include "alignment/rigid/iterated_points.h"
 #include "base/error.h"
 #include "geometry/generate/round.h"
 #include "tests/geometry/surface/test_surfaces.h"

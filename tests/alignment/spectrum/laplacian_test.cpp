@@ -1,5 +1,5 @@
 // The Laplacian of a mesh: identities of linear finite elements, the spectrum of the sphere, slivers.
-#include "alignment/spectrum/eigenpairs.h"
+#include "alignment/spectrum/laplacian.h"
 #include "base/error.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
@@ -60,7 +60,7 @@ TEST(Laplacian, EigenvaluesOfASphereConvergeWithSecondOrder) {
 
 TEST(Laplacian, EigenfunctionsAreOrthonormalAndSolveTheEquation) {
   const SurfaceLaplacian laplacian = surface_laplacian(bumpy(), 2e-3);
-  const Eigenpairs pairs = least_eigenpairs(laplacian, 30);
+  const LaplacianEigenpairs pairs = least_eigenpairs(laplacian, 30);
   const Eigen::MatrixXd gram = pairs.functions.transpose() * laplacian.mass.asDiagonal() * pairs.functions;
   EXPECT_LT((gram - Eigen::MatrixXd::Identity(30, 30)).cwiseAbs().maxCoeff(), 1e-9);
   const Eigen::MatrixXd residual =

@@ -1,5 +1,5 @@
 // Tips are the ends of limbs, whatever the order of vertices and the pose; matched tips carry the surface.
-#include "alignment/functional_map/tip_starts.h"
+#include "alignment/functional_map/starts.h"
 #include "geometry/generate/hand.h"
 #include "tests/geometry/generate/generated_surface.h"
 #include "tests/geometry/surface/test_surfaces.h"

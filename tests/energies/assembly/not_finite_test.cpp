@@ -3,7 +3,7 @@
 
 #include "energies/assembly/not_finite.h"
 #include "energies/compiled/compile_term.h"
-#include "energies/densities/square.h"
+#include "energies/densities/material.h"
 #include "energies/hessian/energy_hessian.h"
 #include "energies/terms/term_names.h"
 #include "tests/energies/exact_shapes.h"

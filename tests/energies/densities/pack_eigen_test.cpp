@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "base/symmetric_eigen.h"
+#include "base/decompositions.h"
 
 namespace shellmatch {
 namespace {

@@ -6,12 +6,12 @@
 #include "energies/autodiff/jet.h"
 #include "energies/autodiff/second_order.h"
 #include "energies/densities/full_volume.h"
-#include "energies/densities/square.h"
+#include "energies/densities/material.h"
 #include "energies/densities/symmetric_dirichlet.h"
 #include "energies/densities/tangent_frames.h"
 #include "energies/densities/thin_shell.h"
-#include "tests/energies/hessian/model_by_differences.h"
 #include "tests/energies/densities/random_matrices.h"
+#include "tests/energies/hessian/model_by_differences.h"
 
 #include <gtest/gtest.h>
 

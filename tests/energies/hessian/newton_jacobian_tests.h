@@ -6,8 +6,8 @@
 #include "energies/compiled/compile_term.h"
 #include "energies/hessian/energy_hessian.h"
 #include "energies/terms/term_names.h"
-#include "tests/energies/hessian/model_by_differences.h"
 #include "tests/energies/exact_shapes.h"
+#include "tests/energies/hessian/model_by_differences.h"
 #include "tests/energies/terms/term_types.h"
 
 #include <gtest/gtest.h>
@@ -104,7 +104,7 @@ class NewtonJacobian : public ::testing::Test {
       for (std::size_t i = 0; i < u.size(); ++i) model += u[i] * hu[i];
       const double by_differences = expected(std::span<const Vec<Dim>>(phi), std::span<const Vec<Dim>>(v));
       ASSERT_GT(by_differences, 0);
-      // The factors of the points' matrices leave out at most 1e-4 (energies/densities/square_pack.h), and the
+      // The factors of the points' matrices leave out at most 1e-4 (energies/densities/pack_eigen.h), and the
       // elements' matrices are kept in single precision.
       EXPECT_NEAR(model, by_differences, 1e-4 * by_differences) << "roughness " << roughness;
     }

@@ -1,6 +1,6 @@
 // The losses are Ceres' of the same names, value and first derivative, over numbers and over dual numbers.
 
-#include "energies/pairs/robust_loss.h"
+#include "energies/pairs/point_pairs.h"
 
 #include <ceres/jet.h>
 #include <ceres/loss_function.h>

@@ -3,7 +3,7 @@
 /// The list of terms for typed tests, so that no test lists them by hand, and options of theirs that are not the
 /// defaults.
 
-#include "energies/options.h"
+#include "energies/energy_options.h"
 #include "energies/terms/list.h"
 #include "energies/terms/term_functors.h"
 #include "tests/energies/terms/band_density.h"

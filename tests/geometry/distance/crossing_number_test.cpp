@@ -1,6 +1,5 @@
-#include "geometry/distance/crossing_number.h"
-
 #include "geometry/distance/winding_number.h"
+
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "geometry/distance/oriented_facets.h"
+#include "geometry/distance/nearest_facets.h"
 
 #include "tests/geometry/surface/test_surfaces.h"
 

@@ -2,7 +2,7 @@
 // decimated and rounded.
 #include "geometry/repair/flat_triangles.h"
 #include "geometry/repair/repair.h"
-#include "geometry/repair/stitch_cracks.h"
+#include "geometry/repair/repair_steps.h"
 #include "tests/geometry/io/files.h"
 #include "tests/geometry/surface/test_surfaces.h"
 

@@ -2,7 +2,7 @@
 // tell apart.
 #include "geometry/statistics/leave_one_out.h"
 
-#include "geometry/statistics/gram_eigen.h"
+#include "geometry/statistics/products.h"
 #include "tests/geometry/statistics/families.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // Products of shapes against sums written out; more columns than a tile, more rows than a block.
 #include "geometry/statistics/products.h"
 
-#include "geometry/statistics/gram_eigen.h"
 #include "tests/geometry/statistics/families.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,6 @@
 // Random numbers: the standard's sequence, and distributions with the moments and frequencies that they must have.
 #include "geometry/statistics/random.h"
 
-#include "geometry/statistics/splits.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,17 +1,17 @@
 // Newton's method on terms that nobody wrote a second derivative for: one from outside the program, and those that are
 // there to compare with.
 
+#include "docs/examples/normal_alignment.h"
 #include "energies/compiled/compile_term.h"
 #include "energies/terms/term_names.h"
-#include "docs/examples/normal_alignment.h"
 #include "grid/fields/mass.h"
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"
+#include "matching/input/shape_source.h"
 #include "matching/level/level_energy.h"
 #include "matching/level/level_problem.h"
 #include "matching/level/shape_fields.h"
-#include "matching/input/shape_source.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <gtest/gtest.h>
 

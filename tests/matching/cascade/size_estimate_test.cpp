@@ -1,8 +1,8 @@
-#include "matching/cascade/size_estimate.h"
 #include "base/error.h"
 #include "grid/octree/octree.h"
-#include "matching/level/field_grid.h"
+#include "matching/cascade/size_estimate.h"
 #include "matching/input/shape_source.h"
+#include "matching/level/shape_fields.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>

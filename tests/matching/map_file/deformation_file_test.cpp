@@ -1,6 +1,6 @@
-#include "matching/map_file/deformation_file.h"
 #include "base/error.h"
-#include "matching/output/file_checksum.h"
+#include "matching/map_file/deformation_file.h"
+#include "matching/output/checksum.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 #include "matching/output/checksum.h"
 
-#include "matching/output/file_checksum.h"
 #include "base/error.h"
 #include "tests/matching/output/temporary_folder.h"
 

@@ -4,7 +4,7 @@
 #include "geometry/repair/make_shape.h"
 #include "geometry/repair/repair_steps.h"
 #include "geometry/surface/facet_point.h"
-#include "matching/result/nearest_faces.h"
+#include "matching/result/deformed_shape.h"
 
 #include <gtest/gtest.h>
 

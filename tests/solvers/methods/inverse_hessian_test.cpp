@@ -1,7 +1,7 @@
 // What makes a quasi-Newton matrix one, and what conjugate directions are for.
-#include "solvers/methods/inverse_hessian.h"
+#include "solvers/methods/lbfgs.h"
 
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 
 #include <gtest/gtest.h>
 

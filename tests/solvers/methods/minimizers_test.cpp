@@ -1,5 +1,5 @@
 // Every method on every published problem, through the one interface.
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 #include "tests/support/published_trials.h"
 
 #include <gtest/gtest.h>

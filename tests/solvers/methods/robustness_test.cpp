@@ -1,7 +1,8 @@
 // Starts that cannot be evaluated, empty problems, callers that stop, clocks, exceptions, threads.
 #include "base/parallel.h"
+#include "solvers/libraries/nlopt_minimizer.h"
 #include "solvers/metric/metric.h"
-#include "solvers/options.h"
+#include "solvers/solver_options.h"
 #include "tests/support/test_problems.h"
 
 #include <gtest/gtest.h>
@@ -210,8 +211,8 @@ TEST_P(AnyMinimizer, EndsWhereTheGradientPointsTheWrongWay) {
 }
 
 TEST_P(AnyMinimizer, GivesTheSameBitsWithOneThreadAndTwo) {
-  // Long enough for several pieces of the vector operations; the dense methods get what they can take.
-  const bool dense = GetParam() == "ceres_bfgs" || GetParam() == "nlopt_slsqp";
+  // Long enough for several pieces of the vector operations; the dense method gets what it can take.
+  const bool dense = GetParam() == "ceres_bfgs";
   const auto problem = testing::extended_rosenbrock(dense ? 100 : 40000);
   StopOptions stop = long_run;
   stop.max_iterations = 12;
@@ -247,40 +248,14 @@ TEST(Economy, OurMethodsEvaluateLittleMoreThanOncePerStep) {
 TEST(Nlopt, EvaluatesAgainAfterAStall) {
   const auto run = [](int max_restarts) {
     const auto problem = testing::extended_rosenbrock(20);
-    SolverOptions options;
-    options.name = "nlopt_mma";
-    options.nlopt.max_stalled_evaluations = 10;
-    options.nlopt.max_restarts = max_restarts;
     std::vector<double> x = problem->start();
-    return make_minimizer(options)->minimize(*problem, x,
-                                             {.max_iterations = 100000, .relative_decrease = 0, .gradient_norm = 0});
+    return NloptMinimizer(NloptMethod::mma, 10, max_restarts)
+        .minimize(*problem, x, {.max_iterations = 100000, .relative_decrease = 0, .gradient_norm = 0});
   };
   const MinimizerSummary first = run(0), second = run(1);
   EXPECT_EQ(first.message, "NLopt: no lower value in max_stalled_evaluations evaluations (0 restarts)");
   EXPECT_LE(second.final_value, first.final_value);
   EXPECT_GE(second.value_evaluations, first.value_evaluations + 5);
-}
-
-// The truncated Newton method evaluates gradients beside its iterates, 3e-8 away, for products with the Hessian.
-TEST(Nlopt, DoesNotTakeDifferenceProbesForSteps) {
-  const auto problem = testing::extended_rosenbrock(2);
-  SolverOptions options;
-  options.name = "nlopt_tnewton";
-  StopOptions stop{.max_iterations = 100, .relative_decrease = 1e-6, .decrease_window = 1, .gradient_norm = 1e-8};
-  std::vector<double> x = problem->start();
-  std::vector<double> steps;
-  const MinimizerSummary s = make_minimizer(options)->minimize(*problem, x, stop, [&](const IterationRecord& record) {
-    if (record.iteration > 0) steps.push_back(record.step);
-    return true;
-  });
-  EXPECT_GT(s.iterations, 15) << "small decreases of probes do not end it: " << s.message;
-  EXPECT_GE(s.value_evaluations, 2 * s.iterations) << "the probes are counted as evaluations";
-  for (const double step : steps) EXPECT_TRUE(std::abs(step - 3.16e-8) > 1e-9) << step;
-  EXPECT_LT(s.final_value, 1e-10);
-  const double last = s.final_value;
-  double value = 0;
-  ASSERT_TRUE(problem->evaluate(x, value, {}));
-  EXPECT_EQ(value, last);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 // diagonals); points that end on another component than they belong to, which the other figures leave out. --errors
 // writes all errors, one a line.
 
-#include "alignment/evaluation/correspondence_error.h"
+#include "tests/studies/correspondence/errors.h"
 #include "base/error.h"
 #include "geometry/distance/surface_distance.h"
 #include "geometry/io/read_shape.h"

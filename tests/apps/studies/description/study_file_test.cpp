@@ -110,7 +110,7 @@ TEST_F(StudyFile, MistakesWithin) {
   expect_refused(good + "parameters: {energy.delta: 1}\n", {"parameters.energy.delta", "list"});
   expect_refused(good + "parameters: {energy.delta: []}\n", {"parameters.energy.delta", "empty list"});
   expect_refused("version: 1\n" + pair + "solvers: [newtn]\n",
-                 {":3: solvers", "newton", "fletcher_reeves", "nlopt_slsqp"});
+                 {":3: solvers", "newton", "fletcher_reeves", "nlopt_ccsaq"});
   expect_refused("version: 1\n" + pair + "solvers: [lbfgs]\nmetrics: [l3]\n", {":4: metrics", "euclidean", "l2"});
   expect_refused("version: 1\n" + pair + "solvers: {x: {name: lbfgs, metrc: l2}}\n",
                  {":3: solvers.x", "did you mean solver.metric?"});

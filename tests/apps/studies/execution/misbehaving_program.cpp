@@ -32,11 +32,11 @@ int main(int argc, char** argv) {
       std::memset(taken.back(), 1, block);
       usleep(200);
     }
-  if (solver_is("nlopt_lbfgs")) return 5;
+  if (solver_is("nlopt_lbfgs")) return 9;
   if (solver_is("nlopt_mma")) return 0;
   if (solver_is("fletcher_reeves")) {
     std::fputs("shellmatch: error: out/history.csv: cannot be written (No space left on device); make room\n", stderr);
-    return 3;
+    return 6;
   }
   execv(SHELLMATCH_PROGRAM, argv);
   return 127;

@@ -1,4 +1,4 @@
-#include "apps/studies/report/performance_profile.h"
+#include "apps/studies/report/convergence.h"
 
 #include "base/types.h"
 

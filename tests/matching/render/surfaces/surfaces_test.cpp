@@ -1,6 +1,6 @@
-#include "matching/render/surfaces/surfaces.h"
 #include "base/parallel.h"
-#include "matching/render/surfaces/corner_normals.h"
+#include "matching/render/surfaces/surface_paint.h"
+#include "matching/render/surfaces/surfaces.h"
 #include "tests/matching/render/test_shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,0 @@
-#include "energies/terms/term_values.h"
-
-#include "energies/terms/term_names.h"
-
-namespace shellmatch {
-
-TermValues::TermValues() : TermValues(n_all_terms) {}
-
-}  // namespace shellmatch
