@@ -161,7 +161,7 @@ std::string inspection_text(const Inspection& r) {
         fmt::format("{:.2g} % of the area, with {}, inside other parts of the shape, up to {:.4g} deep; weighs nothing "
                     "in a matching",
                     100 * r.buried_share, counted(r.n_buried_vertices, "vertex", "vertices"), r.burial_depth));
-  for (const std::string& note : r.notes) row("mended", printable(note, max_message_length));
+  for (const std::string& note : r.notes) row("note", printable(note, max_message_length));
   return text;
 }
 
