@@ -2,7 +2,7 @@
 /// \file
 /// The commands of the program as plain data, and the functions that execute them.
 
-#include "apps/terminal/verbosity.h"
+#include "apps/terminal/words.h"
 #include "matching/experiment/options.h"
 
 #include <stdexcept>

@@ -5,7 +5,7 @@ execute_process(COMMAND git describe --always --dirty --tags --abbrev=12 WORKING
 if(failed)
   set(revision "")
 endif()
-set(text "#include \"apps/studies/execution/revision.h\"\n\nstd::string shellmatch::build_revision() { return \"${revision}\"; }\n")
+set(text "#include \"apps/studies/execution/machine.h\"\n\nstd::string shellmatch::build_revision() { return \"${revision}\"; }\n")
 set(old "")
 if(EXISTS ${OUTPUT})
   file(READ ${OUTPUT} old)

@@ -54,13 +54,11 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
     fields_->refine(grid_);
     fields_->compute_distances(grid_);
   }
-  pairs_ = known_pairs(landmarks_, prepared_.alignment, options_, prepared_.placement, *d1_, *d2_);
   const ObservedPair<Dim> observed = observed_pair(shapes_.reference, shapes_.template_shape);
-  level_.emplace(grid_, fields_->geometry(grid_), options_, pairs_, observed);
-  if (!has_coverage(options_)) return;
-  coverage_.emplace(shapes_.reference.surface, *d2_, std::ldexp(1.0, -options_.cascade.max_level), options_.coverage,
-                    observed);
-  add_coverage(*level_, *coverage_, options_);
+  level_.emplace(grid_, fields_->geometry(grid_), options_, observed);
+  points_.emplace(known_pairs(landmarks_, prepared_.alignment, options_, prepared_.placement, *d1_, *d2_),
+                  shapes_.reference.surface, *d2_, options_, observed);
+  points_->add_to(*level_);
 }
 
 template <int Dim>
@@ -75,7 +73,7 @@ std::vector<Vec<Dim>> PairLevel<Dim>::coarser_result(Observer& observer) const {
   observer.stage("matching");
   PhaseSeconds seconds;
   try {
-    run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, pairs_,
+    run_cascade<Dim>(*d1_, *d2_, options_, observer, finished, seconds, {}, points_->known(),
                      observed_pair(shapes_.reference, shapes_.template_shape));
   } catch (const LevelReached&) {
   }

@@ -80,9 +80,8 @@ class PairLevel {
   std::optional<ShapeFields<Dim>> fields_;
   Octree<Dim> grid_;
   std::vector<LevelSize> sizes_;
-  std::vector<PairSet<Dim>> pairs_;
   std::optional<LevelEnergy<Dim>> level_;
-  std::optional<Coverage<Dim>> coverage_;  ///< where it acts on a level
+  std::optional<PointTerms<Dim>> points_;
 };
 
 }  // namespace shellmatch

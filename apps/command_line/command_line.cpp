@@ -4,7 +4,7 @@
 #include "apps/command_line/help_text.h"
 #include "apps/command_line/shared_options.h"
 #include "apps/command_line/slicer_module.h"
-#include "apps/studies/execution/revision.h"
+#include "apps/studies/execution/machine.h"
 #include "base/error.h"
 #include "base/options.h"
 #include "matching/progress/linked_libraries.h"

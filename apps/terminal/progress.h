@@ -4,7 +4,7 @@
 
 #include "apps/terminal/heartbeat.h"
 #include "apps/terminal/time_left.h"
-#include "apps/terminal/verbosity.h"
+#include "apps/terminal/words.h"
 #include "matching/progress/observer.h"
 
 #include <chrono>

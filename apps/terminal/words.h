@@ -1,12 +1,15 @@
 #pragma once
 /// \file
-/// Numbers from words of the command line, and lines for the terminal.
+/// Numbers from words of the command line, lines for the terminal, and how much a command says.
 
 #include <limits>
 #include <string>
 #include <string_view>
 
 namespace shellmatch {
+
+/// How many messages a command writes. Errors are always reported.
+enum class Verbosity { quiet, normal, verbose };
 
 /// \param option for the message, "--rings" \throws InputError for a word that is no whole number of the range
 int whole_number(std::string_view word, std::string_view option, int least,

@@ -2,55 +2,13 @@
 #include "geometry/scene/brain_surface.h"
 #include "geometry/scene/inflate_stream.h"
 #include "geometry/scene/pugixml_node.h"
+#include "geometry/vtk_xml/value_type.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace shellmatch {
 
 namespace {
-
-enum class GiftiType { float32, float64, int32, uint32, int64, uint8 };
-
-template <class T>
-double value_at(const char* bytes, bool swap) {
-  std::array<char, sizeof(T)> raw;
-  std::memcpy(raw.data(), bytes, sizeof(T));
-  if (swap) std::reverse(raw.begin(), raw.end());
-  return static_cast<double>(std::bit_cast<T>(raw));
-}
-
-// Groups of four characters, the last with fill; nothing where the text is another.
-std::optional<std::string> decode_base64(std::string_view text) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<int, 256> value;
-  value.fill(-1);
-  for (std::size_t i = 0; i < digits.size(); ++i) value[static_cast<unsigned char>(digits[i])] = static_cast<int>(i);
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  std::uint32_t bits = 0;
-  int n_bits = 0, n_digits = 0, n_fill = 0;
-  for (const char c : text) {
-    if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-    ++n_digits;
-    if (c == '=') {
-      ++n_fill;
-      continue;
-    }
-    const int digit = value[static_cast<unsigned char>(c)];
-    if (digit < 0 || n_fill > 0) return {};
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    n_bits += 6;
-    if (n_bits < 8) continue;
-    n_bits -= 8;
-    bytes.push_back(static_cast<char>(bits >> n_bits & 0xff));
-  }
-  if (n_digits % 4 != 0 || n_fill > 2) return {};
-  return bytes;
-}
 
 // One <DataArray> of three columns.
 class Columns {
@@ -90,47 +48,25 @@ class Columns {
     if (encoding != "Base64Binary" && encoding != "GZipBase64Binary")
       throw_input_error("{}: {}: the encoding '{}' is unknown", path_, what_, printable(encoding, 30));
     std::optional<std::string> bytes = decode_base64(text);
-    const std::size_t size = type_size(), n_bytes = 3 * n_rows_ * size;
+    const std::size_t n = 3 * n_rows_, n_bytes = bytes_of(type(), n);
     if (bytes && encoding == "GZipBase64Binary") bytes = inflate_stream(*bytes, StreamForm::zlib_or_gzip, n_bytes);
     if (!bytes || bytes->size() != n_bytes)
-      throw_input_error("{}: {} cannot be decoded to {} numbers; the file is damaged or was cut off", path_, what_,
-                        3 * n_rows_);
+      throw_input_error("{}: {} cannot be decoded to {} numbers; the file is damaged or was cut off", path_, what_, n);
     const std::string_view endian = attribute_of(array_, "Endian");
     if (endian != "LittleEndian" && endian != "BigEndian")
       throw_input_error("{}: {}: the order of bytes '{}' is unknown", path_, what_, printable(endian, 30));
-    const bool swap = (endian == "BigEndian") != (std::endian::native == std::endian::big);
-    std::vector<double> values(3 * n_rows_);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(bytes->data() + i * size, swap);
-    return values;
+    return values_of(*bytes, type(), n, endian == "BigEndian");
   }
 
-  GiftiType type() const {
-    constexpr std::pair<std::string_view, GiftiType> types[] = {
-        {"NIFTI_TYPE_FLOAT32", GiftiType::float32}, {"NIFTI_TYPE_FLOAT64", GiftiType::float64},
-        {"NIFTI_TYPE_INT32", GiftiType::int32},     {"NIFTI_TYPE_UINT32", GiftiType::uint32},
-        {"NIFTI_TYPE_INT64", GiftiType::int64},     {"NIFTI_TYPE_UINT8", GiftiType::uint8}};
+  ValueType type() const {
+    constexpr std::pair<std::string_view, ValueType> types[] = {
+        {"NIFTI_TYPE_FLOAT32", ValueType::float32}, {"NIFTI_TYPE_FLOAT64", ValueType::float64},
+        {"NIFTI_TYPE_INT32", ValueType::int32},     {"NIFTI_TYPE_UINT32", ValueType::uint32},
+        {"NIFTI_TYPE_INT64", ValueType::int64},     {"NIFTI_TYPE_UINT8", ValueType::uint8}};
     const std::string_view name = attribute_of(array_, "DataType");
     for (const auto& [known, type] : types)
       if (known == name) return type;
     throw_input_error("{}: {}: numbers of the type '{}' are not supported", path_, what_, printable(name, 30));
-  }
-  std::size_t type_size() const {
-    switch (type()) {
-      case GiftiType::uint8: return 1;
-      case GiftiType::float64:
-      case GiftiType::int64: return 8;
-      default: return 4;
-    }
-  }
-  double value(const char* bytes, bool swap) const {
-    switch (type()) {
-      case GiftiType::float32: return value_at<float>(bytes, swap);
-      case GiftiType::float64: return value_at<double>(bytes, swap);
-      case GiftiType::int32: return value_at<std::int32_t>(bytes, swap);
-      case GiftiType::uint32: return value_at<std::uint32_t>(bytes, swap);
-      case GiftiType::int64: return static_cast<double>(value_at<std::int64_t>(bytes, swap));
-      default: return value_at<std::uint8_t>(bytes, swap);
-    }
   }
 
   const std::string& path_;

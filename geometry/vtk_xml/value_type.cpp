@@ -86,4 +86,29 @@ std::vector<double> values_of(std::string_view bytes, ValueType type, std::size_
   return values;
 }
 
+std::optional<std::string> decode_base64(std::string_view text) {
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  std::uint32_t group = 0;
+  int n_in_group = 0, n_fill = 0;
+  for (const char c : text) {
+    int digit = 0;
+    if (c >= 'A' && c <= 'Z') digit = c - 'A';
+    else if (c >= 'a' && c <= 'z') digit = c - 'a' + 26;
+    else if (c >= '0' && c <= '9') digit = c - '0' + 52;
+    else if (c == '+') digit = 62;
+    else if (c == '/') digit = 63;
+    else if (c == '=') ++n_fill;
+    else if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
+    else break;
+    group = group << 6 | static_cast<std::uint32_t>(digit);
+    if (++n_in_group < 4) continue;
+    if (n_fill > 2) return std::nullopt;
+    for (int k = 0; k < 3 - n_fill; ++k) bytes.push_back(static_cast<char>(group >> (16 - 8 * k) & 0xff));
+    group = 0;
+    n_in_group = n_fill = 0;
+  }
+  return bytes;
+}
+
 }  // namespace shellmatch

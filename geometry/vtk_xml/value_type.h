@@ -1,9 +1,10 @@
 #pragma once
 /// \file
-/// Types of the values in VTK's files, and values out of bytes.
+/// Types of the values in VTK's and GIfTI files, values out of bytes, and bytes out of text.
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,5 +22,9 @@ std::size_t bytes_of(ValueType type, std::size_t n);
 
 /// n values out of bytes of either order. \pre there are bytes_of(type, n) bytes
 std::vector<double> values_of(std::string_view bytes, ValueType type, std::size_t n, bool is_big_endian);
+
+/// Bytes out of base64 (RFC 4648), blanks left out, up to the first character that is none of its own: what follows is
+/// another's. Texts may follow one another, so that the fill '=' stands within. Nothing where the fill is too long.
+std::optional<std::string> decode_base64(std::string_view text);
 
 }  // namespace shellmatch

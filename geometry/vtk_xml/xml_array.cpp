@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace shellmatch {
 
@@ -23,7 +25,7 @@ class XmlValues {
 
   std::vector<double> read() const {
     if (array_.format == XmlFormat::ascii) return text_values();
-    const std::string decoded = is_base64() ? decode_base64(array_.content) : std::string();
+    const std::string decoded = is_base64() ? this->decoded() : std::string();
     const std::string_view bytes = is_base64() ? std::string_view(decoded) : array_.content;
     if (n_ > std::numeric_limits<std::size_t>::max() / 16) damaged("its size");
     const std::size_t n_bytes = bytes_of(array_.type, n_);
@@ -35,7 +37,7 @@ class XmlValues {
   }
 
   std::string short_text() const {
-    const std::string decoded = is_base64() ? decode_base64(array_.content) : std::string();
+    const std::string decoded = is_base64() ? this->decoded() : std::string();
     const std::string_view bytes = is_base64() ? std::string_view(decoded) : array_.content;
     const std::size_t first = word(bytes, 0);
     if (!encoding_.is_compressed) return first > n_ ? "" : std::string(bytes.substr(encoding_.header_bytes, first));
@@ -76,30 +78,10 @@ class XmlValues {
     return values;
   }
 
-  // Groups of four characters; head and values may be encoded one after the other, so that the fill '=' stands within.
-  std::string decode_base64(std::string_view text) const {
-    std::string bytes;
-    bytes.reserve(text.size() / 4 * 3);
-    std::uint32_t group = 0;
-    int n_in_group = 0, n_fill = 0;
-    for (const char c : text) {
-      int digit = 0;
-      if (c >= 'A' && c <= 'Z') digit = c - 'A';
-      else if (c >= 'a' && c <= 'z') digit = c - 'a' + 26;
-      else if (c >= '0' && c <= '9') digit = c - '0' + 52;
-      else if (c == '+') digit = 62;
-      else if (c == '/') digit = 63;
-      else if (c == '=') ++n_fill;
-      else if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-      else break;  // what follows is another array's
-      group = group << 6 | static_cast<std::uint32_t>(digit);
-      if (++n_in_group < 4) continue;
-      if (n_fill > 2) damaged("no base64");
-      for (int k = 0; k < 3 - n_fill; ++k) bytes.push_back(static_cast<char>(group >> (16 - 8 * k) & 0xff));
-      group = 0;
-      n_in_group = n_fill = 0;
-    }
-    return bytes;
+  std::string decoded() const {
+    std::optional<std::string> bytes = decode_base64(array_.content);
+    if (!bytes) damaged("no base64");
+    return *std::move(bytes);
   }
 
   std::size_t word(std::string_view bytes, std::size_t i) const {

@@ -10,7 +10,6 @@
 #include "matching/pairs/coverage.h"
 #include "matching/progress/process_info.h"
 
-#include <cmath>
 #include <utility>
 
 namespace shellmatch {
@@ -58,10 +57,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   Octree<Dim>& grid = result.grid;
   result.phi = identity_map(grid);
   ShapeFields<Dim> shapes(reference, template_shape, options);
-  std::optional<Coverage<Dim>> coverage;
-  if (has_coverage(options))
-    coverage.emplace(reference.surface(), template_shape, std::ldexp(1.0, -schedule.max_level), options.coverage,
-                     observed);
+  const PointTerms<Dim> points(pairs, reference.surface(), template_shape, options, observed);
 
   const auto keep_fields = [&](const GeometryPair<Dim>& geometry) {
     result.moving_fields = at_nodes(geometry.reference, grid);
@@ -104,7 +100,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
     } else {
       {  // frees the level's matrices before the output
         clock.start("set-up");
-        LevelMinimisation<Dim> problem(grid, *geometry, options, pairs, coverage ? &*coverage : nullptr, observed);
+        LevelMinimisation<Dim> problem(grid, *geometry, options, points, observed);
         clock.start("minimisation");
         result.levels.push_back(
             problem.minimise(level, result.phi, std::exchange(is_start, false), observer, result.interrupted));

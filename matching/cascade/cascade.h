@@ -7,12 +7,12 @@
 #include "geometry/distance/signed_distance.h"
 #include "grid/fits/curvature.h"
 #include "grid/octree/octree.h"
-#include "matching/cascade/level_result.h"
+#include "matching/cascade/level_minimisation.h"
+#include "matching/experiment/options.h"
 #include "matching/level/deformation.h"
 #include "matching/level/observed_mask.h"
-#include "matching/progress/phase_clock.h"
-#include "matching/experiment/options.h"
 #include "matching/progress/observer.h"
+#include "matching/progress/phase_clock.h"
 
 #include <cstddef>
 #include <functional>

@@ -26,13 +26,13 @@ constexpr int mask_rounds = 2;
 
 template <int Dim>
 LevelMinimisation<Dim>::LevelMinimisation(const Octree<Dim>& grid, GeometryPair<Dim> geometry,
-                                          const ExperimentOptions& options, const std::vector<PairSet<Dim>>& pairs,
-                                          const Coverage<Dim>* coverage, const ObservedPair<Dim>& observed)
+                                          const ExperimentOptions& options, const PointTerms<Dim>& points,
+                                          const ObservedPair<Dim>& observed)
     : options_(options),
       grid_(grid),
-      level_(grid, std::move(geometry), options, pairs, observed),
+      level_(grid, std::move(geometry), options, observed),
       mass_(level_.unknown_mass()) {
-  if (coverage != nullptr) add_coverage(level_, *coverage, options);
+  points.add_to(level_);
 }
 
 template <int Dim>

@@ -6,7 +6,6 @@
 
 #include "energies/assembly/matching_energy.h"
 #include "energies/hessian/energy_hessian.h"
-#include "energies/pairs/point_pairs.h"
 #include "grid/fields/mass.h"
 #include "matching/experiment/options.h"
 #include "matching/level/observed_mask.h"
@@ -38,10 +37,9 @@ struct LevelEnergy {
   EnergyHessian<Dim> hessian;
   std::optional<ObservedMask<Dim>> mask;  ///< where a shape has gaps
 
-  /// \param pairs terms of their own, on all levels
   /// \param observed what the shapes have data of: the terms of the band are masked elsewhere
   LevelEnergy(const Octree<Dim>& g, GeometryPair<Dim> shapes, const ExperimentOptions& options,
-              const std::vector<PairSet<Dim>>& pairs = {}, const ObservedPair<Dim>& observed = {})
+              const ObservedPair<Dim>& observed = {})
       : grid(g),
         sigma(band_half_width(options.cascade, g.finest_side())),
         unknowns(g, options.energy.boundary),
@@ -49,9 +47,6 @@ struct LevelEnergy {
         terms(std::make_shared<EnergyTerms<Dim>>(options.energy)),
         energy(unknowns, geometry, terms, sigma, options.energy.quadrature_order),
         hessian(energy, unknowns) {
-    for (const PairSet<Dim>& set : pairs)
-      terms->add(set.name, PairTerm<Dim>(g, set.pairs),
-                 [weight = set.factor / options.cascade.nu](const TermScales&) { return weight; });
     if (!observed.is_all()) mask.emplace(observed, sigma);
   }
   LevelEnergy(const LevelEnergy&) = delete;

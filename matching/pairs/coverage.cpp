@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace shellmatch {
 
@@ -123,20 +124,34 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<
 }
 
 template <int Dim>
-void add_coverage(LevelEnergy<Dim>& level, const Coverage<Dim>& coverage, const ExperimentOptions& options) {
-  const bool acts = covers(options, level.grid.finest_level());
+PointTerms<Dim>::PointTerms(std::vector<PairSet<Dim>> known, const Surface<Dim>& reference,
+                            const SignedDistance<Dim>& template_shape, const ExperimentOptions& options,
+                            const ObservedPair<Dim>& observed)
+    : options_(&options), known_(std::move(known)) {
+  if (has_coverage(options))
+    coverage_.emplace(reference, template_shape, std::ldexp(1.0, -options.cascade.max_level), options.coverage,
+                      observed);
+}
+
+template <int Dim>
+void PointTerms<Dim>::add_to(LevelEnergy<Dim>& level) const {
+  for (const PairSet<Dim>& set : known_)
+    level.terms->add(set.name, PairTerm<Dim>(level.grid, set.pairs),
+                     [weight = set.factor / options_->cascade.nu](const TermScales&) { return weight; });
+  if (!coverage_) return;
+  const bool acts = covers(*options_, level.grid.finest_level());
   typename EnergyTerms<Dim>::Renewal renewal;
   if (acts)
-    renewal = [&level, &coverage](const std::vector<Vec<Dim>>& phi) {
+    renewal = [&level, &coverage = *coverage_](const std::vector<Vec<Dim>>& phi) {
       return PairTerm<Dim>(level.grid, coverage.pairs(level.grid, phi, level.mask ? &*level.mask : nullptr));
     };
   level.terms->add(
       "coverage", PairTerm<Dim>(),
-      [factor = acts ? options.coverage.weight : 0](const TermScales& s) { return factor / s.nu; }, renewal);
+      [factor = acts ? options_->coverage.weight : 0](const TermScales& s) { return factor / s.nu; }, renewal);
 }
 
-template void add_coverage(LevelEnergy<2>&, const Coverage<2>&, const ExperimentOptions&);
-template void add_coverage(LevelEnergy<3>&, const Coverage<3>&, const ExperimentOptions&);
+template class PointTerms<2>;
+template class PointTerms<3>;
 template class Coverage<2>;
 template class Coverage<3>;
 

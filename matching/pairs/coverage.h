@@ -14,6 +14,7 @@
 #include "matching/level/observed_mask.h"
 #include "matching/pairs/surface_samples.h"
 
+#include <optional>
 #include <vector>
 
 namespace shellmatch {
@@ -53,9 +54,23 @@ class Coverage {
   double tolerance_;  ///< sides of the domain
 };
 
-/// Adds the term of coverage to the energy of a level, whose points follow phi (LevelEnergy::refresh) where it acts.
-/// \pre both outlive the energy
+/// The terms of points that a matching has on its levels: pairs that are known, and coverage, whose pairs follow phi.
 template <int Dim>
-void add_coverage(LevelEnergy<Dim>& level, const Coverage<Dim>& coverage, const ExperimentOptions& options);
+class PointTerms {
+ public:
+  /// \param options, template_shape outlive this object
+  PointTerms(std::vector<PairSet<Dim>> known, const Surface<Dim>& reference, const SignedDistance<Dim>& template_shape,
+             const ExperimentOptions& options, const ObservedPair<Dim>& observed = {});
+
+  /// Adds them to the energy of one level. \pre this object outlives the energy
+  void add_to(LevelEnergy<Dim>& level) const;
+
+  const std::vector<PairSet<Dim>>& known() const { return known_; }
+
+ private:
+  const ExperimentOptions* options_;
+  std::vector<PairSet<Dim>> known_;
+  std::optional<Coverage<Dim>> coverage_;  ///< where it acts on a level
+};
 
 }  // namespace shellmatch

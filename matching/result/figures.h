@@ -4,7 +4,7 @@
 
 #include "geometry/distance/signed_distance.h"
 #include "geometry/surface/surface.h"
-#include "matching/cascade/level_result.h"
+#include "matching/cascade/level_minimisation.h"
 #include "matching/level/observed_mask.h"
 #include "matching/result/match_summary.h"
 

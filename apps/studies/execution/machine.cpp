@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "matching/progress/linked_libraries.h"
 #include "matching/progress/process_info.h"
-#include "apps/studies/execution/revision.h"
 
 #include <sched.h>
 #include <sys/utsname.h>

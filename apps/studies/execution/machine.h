@@ -8,6 +8,10 @@
 
 namespace shellmatch {
 
+/// The output of `git describe --always --dirty --tags` at build time; empty outside of a repository.
+/// cmake/Revision.cmake writes the definition at every build.
+std::string build_revision();
+
 /// "Intel Xeon ..., 2 cores, 8 GB"; counts the cores that this process may use.
 std::string machine_text();
 
