@@ -145,7 +145,7 @@ std::string inspection_text(const Inspection& r) {
   if (!r.attributes.empty()) row("vertex attributes", fmt::format("{}", fmt::join(r.attributes, ", ")));
   row("used for matching",
       fmt::format("{} vertices, {} {}", r.n_vertices, r.n_facets, plane ? "segments" : "triangles"));
-  if (!plane) row("frame", r.frame.empty() ? "the file names none" : r.frame);
+  if (!plane) row("frame", r.frame.empty() ? "the file names none; 3D Slicer takes LPS" : r.frame);
   row("components", fmt::format("{}", r.n_components));
   if (!plane) row("genus", fmt::format("{}", r.genus));
   row(plane ? "length" : "area", fmt::format("{:.6g}", r.measure));

@@ -94,6 +94,18 @@ def surface_seeds():
             directory += b"PK\1\2" + struct.pack("<HHHHII", 20, 20, 0, method, 0, 0) + sizes + struct.pack("<HHHII", 0, 0, 0, 0, len(files)) + name
             files += b"PK\3\4" + struct.pack("<HHHII", 20, 0, method, 0, 0) + sizes + name + stored
         return files + directory + b"PK\5\6" + struct.pack("<HHHHIIH", 0, 0, 2, 2, len(directory), len(files), 0)
+    def wide_archive():
+        """All numbers in the records of ZIP64."""
+        files = directory = b""
+        most = 0xffffffff
+        for name, data in ((b"_rels/.rels", relations), (b"a", model)):
+            field = struct.pack("<HHQQQ", 1, 24, len(data), len(data), len(files))
+            head = struct.pack("<HHHHI", 45, 0, 0, 0, 0) + struct.pack("<II", most, most)
+            directory += b"PK\1\2" + struct.pack("<H", 45) + head + struct.pack("<HHHHHII", len(name), len(field), 0, 0, 0, 0, most) + name + field
+            files += b"PK\3\4" + head + struct.pack("<HH", len(name), 0) + name + data
+        end = struct.pack("<QHHIIQQQQ", 44, 45, 45, 0, 0, 2, 2, len(directory), len(files))
+        return (files + directory + b"PK\6\6" + end + b"PK\6\7" + struct.pack("<IQI", 0, len(files) + len(directory), 1) +
+                b"PK\5\6" + struct.pack("<HHHHIIH", 0, 0, 2, 2, len(directory), most, 0))
     data = struct.pack("<12f12H", *flat(points), *flat(faces))
     gltf = ('{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[1,2,3]}],"meshes":[{"primitives":'
             '[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},'
@@ -129,7 +141,7 @@ def surface_seeds():
                         collada("<polylist>" + corners + "<vcount>3 3 3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),
                         collada("<polylist>" + corners + "<vcount>3 3 3</vcount><p>" + text(faces) + "</p></polylist>"),
                         collada("<triangles>" + corners + "<p>0 1</p></triangles>")],
-            "three_mf": [archive(True), archive(False)]}
+            "three_mf": [archive(True), archive(False), wide_archive()]}
 
 
 def image_seeds():
@@ -157,11 +169,15 @@ def image_seeds():
              "vzU8me3U8qi1AAVMmqUoAj6ZERe4bkYUuOGXHbC1PJouNRNrdQA0y5SUpAEu+ZmfmG22KzjhlyK/MryaLjTyqLTANMuapShhLvkRH7huRis44m8dsLK8me3V"
              "E2t0wAVMlJSkYj6ZmZeY/9k=")
     labels = bytes(v and 1 + (i % 16 > 7) for i, v in enumerate(grey))
-    return {"tiff": [tiff(8, grey), tiff(8, labels), tiff(16, b"".join(bytes([v, v]) for v in grey)), tiff(32, struct.pack("<256f", *labels), 3),
+    exif = [order.encode() + struct.pack(form + "HIHHHIHHHHIHH", 42, 8, 2, 256, 3, 1, 16, 0, 274, 3, 1, 6, 0) for order, form in (("II", "<"), ("MM", ">"))]
+    turned = [jpeg[:2] + b"\xff\xe1" + struct.pack(">H", 8 + len(e)) + b"Exif\0\0" + e + jpeg[2:] for e in exif]
+    chunk = struct.pack(">I", len(exif[0])) + b"eXIf" + exif[0] + struct.pack(">I", zlib.crc32(b"eXIf" + exif[0]))
+    plain = png(8, 0, lambda r: r)
+    return {"tiff": [tiff(8, grey), tiff(8, labels), tiff(16, b"".join(bytes([v, v]) for v in grey)), tiff(32, struct.pack("<256f", *labels), 3), tiff(8, grey, more=[(274, 3, 1, 6)]),
                      tiff(1, b"".join(bytes([15, 240] if 3 <= y < 13 else 2) for y in range(16))), tiff(8, grey, more=tiles)],
-            "jpeg": [jpeg], "bmp": [bmp(8, bytes(v for c in range(256) for v in (c, c, c, 0)), grey), bmp(24, b"", b"".join(bytes([v] * 3) for v in grey)),
+            "jpeg": [jpeg, *turned], "bmp": [bmp(8, bytes(v for c in range(256) for v in (c, c, c, 0)), grey), bmp(24, b"", b"".join(bytes([v] * 3) for v in grey)),
                                     bmp(1, bytes([0, 0, 0, 0, 255, 255, 255, 0]), b"".join(bytes([15, 240, 0, 0] if 3 <= y < 13 else 4) for y in range(16)))],
-            "png": [png(8, 0, lambda r: r), png(16, 0, lambda r: b"".join(bytes([v, v]) for v in r)),
+            "png": [plain, plain[:33] + chunk + plain[33:], png(16, 0, lambda r: b"".join(bytes([v, v]) for v in r)),
                     png(8, 6, lambda r: b"".join(bytes([v, v, v, 255]) for v in r)),
                     png(1, 0, lambda r: bytes(sum((r[8 * i + k] > 0) << (7 - k) for k in range(8)) for i in range(2)))],
             "pgm": [b"P5\n# a\n16 16\n255\n" + grey, b"P5 16 16 65535\n" + b"".join(bytes([v, v]) for v in grey),

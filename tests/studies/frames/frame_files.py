@@ -92,3 +92,46 @@ def volumes():
     yield "meta_ras.mha", meta_image("AnatomicalOrientation = LPI")
     yield "meta_centre.mha", meta_image("CenterOfRotation = 5 5 5")
     yield "meta_um.mha", meta_image("DistanceUnits = um")
+
+
+CORNERS = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]])
+POINTS = CORNERS * [4, 5, 6] + [11, -3, 8]  # of a box, whose middle is asked for
+QUADS = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (1, 2, 6, 5), (0, 4, 7, 3)]
+TRIANGLES = [t for a, b, c, d in QUADS for t in ((a, b, c), (a, c, d))]
+
+
+def gifti(frame, matrix):
+    """The bytes of a GIfTI whose points have a transform to `frame`."""
+    def array(intent, kind, rows, more=""):
+        values = " ".join(str(a) for row in rows for a in row)
+        return (f'<DataArray Intent="NIFTI_INTENT_{intent}" DataType="NIFTI_TYPE_{kind}" Dimensionality="2" '
+                f'ArrayIndexingOrder="RowMajorOrder" Dim0="{len(rows)}" Dim1="3" Encoding="ASCII" '
+                'Endian="LittleEndian" ExternalFileName="" ExternalFileOffset="">'
+                f"{more}<Data>{values}</Data></DataArray>")
+    numbers = " ".join(str(a) for a in np.ravel(matrix))
+    system = ("<CoordinateSystemTransformMatrix><DataSpace>NIFTI_XFORM_UNKNOWN</DataSpace>"
+              f"<TransformedSpace>NIFTI_XFORM_{frame}</TransformedSpace>"
+              f"<MatrixData>{numbers}</MatrixData></CoordinateSystemTransformMatrix>")
+    arrays = array("POINTSET", "FLOAT32", POINTS, system) + array("TRIANGLE", "INT32", TRIANGLES)
+    head = '<?xml version="1.0" encoding="UTF-8"?><GIFTI Version="1.0" NumberOfDataArrays="2">'
+    return f"{head}{arrays}</GIFTI>".encode()
+
+
+def freesurfer(c_ras):
+    """The bytes of a surface of FreeSurfer, with or without the geometry of its volume."""
+    footer = b"" if c_ras is None else b"\0\0\0\2\0\0\0\0\0\0\0\x14" + (
+        "valid = 1  # volume info valid\nfilename = t1.mgz\nvolume = 256 256 256\nvoxelsize = 1 1 1\nxras = -1 0 0\n"
+        "yras = 0 0 -1\nzras = 0 1 0\ncras = %g %g %g\n" % c_ras).encode()
+    return (b"\xff\xff\xfecreated for a study\n\n" + struct.pack(">2i", len(POINTS), len(TRIANGLES))
+            + POINTS.astype(">f4").tobytes() + np.array(TRIANGLES, ">i4").tobytes() + footer)
+
+
+def surfaces():
+    """Name and bytes of each."""
+    moved = np.eye(4)
+    moved[:3, 3] = [1, 2, 3]
+    yield "plain.surf.gii", gifti("UNKNOWN", np.eye(4))
+    yield "scanner.surf.gii", gifti("SCANNER_ANAT", moved)
+    yield "mni.surf.gii", gifti("MNI_152", moved)
+    yield "lh.white", freesurfer(None)
+    yield "rh.white", freesurfer((5, 6, 7))

@@ -12,8 +12,12 @@ FRAMES = pathlib.Path(__file__).resolve().parent
 BUILD = "cmake -S {0}/frames -B {0}/build -DCMAKE_BUILD_TYPE=Release && cmake --build {0}/build"
 BY_NIBABEL = """
 import nibabel, sys
-if sys.argv[1] == "--version": print(nibabel.__version__)
-else: print(*nibabel.affines.apply_affine(nibabel.load(sys.argv[1]).affine, [float(a) for a in sys.argv[2:]]))
+def middle(points): return (points.min(0) + points.max(0)) / 2
+name = sys.argv[1]
+if name == "--version": print(nibabel.__version__)
+elif name.endswith(".gii"): print(*middle(nibabel.load(name).agg_data("pointset").reshape(-1, 3)))
+elif name.endswith(".white"): print(*middle(nibabel.freesurfer.read_geometry(name)[0]))
+else: print(*nibabel.affines.apply_affine(nibabel.load(name).affine, [float(a) for a in sys.argv[2:]]))
 """
 
 
@@ -41,19 +45,23 @@ class System:
         self.run("sh", "-c", BUILD.format(self.path(self.folder)))
         itk = lambda *words: self.run(self.folder / "build/itk_place", *words)
         if (done := nibabel("--version")).returncode == 0:
-            yield f"nibabel {done.stdout.strip()}", lambda path: self.place(nibabel, path, [".nii"], 1)
+            endings = [".nii", ".gii", ".white"]
+            yield f"nibabel {done.stdout.strip()}", lambda path: self.place(nibabel, path, endings, 1)
         if (self.folder / "build/itk_place").is_file():
             version = itk("--version").stdout.strip()
             yield f"ITK {version}", lambda path: self.place(itk, path, [".nii", ".nrrd", ".mha"], -1)
 
     def place(self, reader, path, endings, sign):
-        """Of the middle of the block in RAS; None for a format that the reader does not know, or "not read"."""
+        """Of the middle of the block or the surface's box in RAS; None for a format that the reader does not know, or
+        "not read"."""
         if path.suffix not in endings:
             return None
         here = pathlib.Path(shutil.copy(path, self.folder))
         done = reader(here, *map(str, MIDDLE))
         here.unlink()
-        return np.array([sign, sign, 1]) * [float(a) for a in done.stdout.split()] if done.returncode == 0 else "not read"
+        if done.returncode != 0:
+            return "not read"
+        return np.array([sign, sign, 1]) * [float(a) for a in done.stdout.split()]
 
     def remove(self):
         shutil.rmtree(self.folder)
