@@ -80,6 +80,19 @@ void keep_values(std::string_view bytes, Picture& picture) {
                                             : static_cast<float>(values.bytes[2 * i] << 8 | values.bytes[2 * i + 1]);
 }
 
+// libpng takes memory for as many bytes as a chunk eXIf says it has, whether they are there or not.
+void check_exif(const std::string& path, std::string_view bytes) {
+  for (std::size_t at = 8; at + 12 <= bytes.size();) {
+    const std::size_t size = png_get_uint_32(reinterpret_cast<png_const_bytep>(bytes.data() + at)),
+                      left = bytes.size() - at - 12;
+    if (size > left && bytes.substr(at + 4, 4) == "eXIf")
+      throw_input_error(
+          "{}: the PNG image is cut off or damaged (its EXIF has {} bytes, of which {} are there); save it again", path,
+          size, left);
+    at += 12 + size;
+  }
+}
+
 }  // namespace
 
 Picture read_png(const std::string& path, std::string_view bytes) {
@@ -88,6 +101,7 @@ Picture read_png(const std::string& path, std::string_view bytes) {
     if (!success || PNG_IMAGE_FAILED(image.control))
       throw_input_error("{}: the PNG image is cut off or damaged ({}); save it again", path, image.control.message);
   };
+  check_exif(path, bytes);
   check(png_image_begin_read_from_memory(&image.control, bytes.data(), bytes.size()));
   const std::int64_t width = image.control.width, height = image.control.height;
   check_picture_size(width, height, path);

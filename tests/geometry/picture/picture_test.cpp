@@ -151,6 +151,13 @@ TEST_F(Pictures, AnOrientationIsSaidAndNotFollowed) {
         "orientation"));
 }
 
+TEST_F(Pictures, ExifThatIsNotThereTakesNoMemory) {
+  std::string bytes = png_bytes(width, height, 8, labels(1, 2));
+  bytes.insert(bytes.find("IDAT") - 4, png_chunk("eXIf", exif(6, true)));
+  bytes.replace(bytes.find("eXIf") - 4, 4, big(0x7f000000, 4));
+  EXPECT_TRUE(contains(error("a.png", bytes), "cut off or damaged (its EXIF has 2130706432 bytes"));
+}
+
 TEST_F(Pictures, JpegIsBrightOrDarkOnItsRim) {
   for (const bool dark : {false, true}) {
     std::string pixels;
