@@ -3,6 +3,7 @@
 #include "geometry/picture/orientation.h"
 #include "geometry/picture/picture.h"
 
+#include <fmt/format.h>
 #include <turbojpeg.h>
 
 #include <cmath>
@@ -16,10 +17,14 @@ Picture read_jpeg(const std::string& path, std::string_view bytes) {
     void operator()(void* handle) const { tjDestroy(handle); }
   };
   const std::unique_ptr<void, Closed> handle(tjInitDecompress());
+  std::string stray;
   const auto check = [&](int result) {
-    if (result != 0)
-      throw_input_error("{}: the JPEG image is cut off or damaged ({}); save it again", path,
-                        tjGetErrorStr2(handle.get()));
+    if (result == 0) return;
+    const std::string complaint = tjGetErrorStr2(handle.get());
+    // Cameras leave bytes between the parts of a picture; nothing of it is lost.
+    if (tjGetErrorCode(handle.get()) == TJERR_WARNING && complaint.find("extraneous bytes") != complaint.npos)
+      stray = complaint;
+    else throw_input_error("{}: the JPEG image is cut off or damaged ({}); save it again", path, complaint);
   };
   const auto* const data = reinterpret_cast<const unsigned char*>(bytes.data());
   int width = 0, height = 0, subsampling = 0, colours = 0;
@@ -41,6 +46,7 @@ Picture read_jpeg(const std::string& path, std::string_view bytes) {
     picture.values.push_back(std::round(255 * picture.brightness.values.back()));
   }
   note_orientation(exif_orientation(bytes), picture);
+  if (!stray.empty()) picture.notes.push_back(fmt::format("bytes between its parts are left out ({})", stray));
   return picture;
 }
 

@@ -34,13 +34,19 @@ int orientation_in(std::string_view tiff) {
   return 1;
 }
 
-// The segments of a JPEG up to its first scan.
+// The segments of a JPEG up to its first scan; bytes between them do not count.
 int orientation_of_jpeg(std::string_view bytes) {
   constexpr std::string_view mark("Exif\0\0", 6);
-  for (std::size_t at = 2; at + 4 <= bytes.size() && bytes[at] == '\xff' && bytes[at + 1] != '\xda';) {
-    const std::string_view segment = bytes.substr(at + 4, number(bytes, at + 2, 2, true) - 2);
+  for (std::size_t at = 2; at + 4 <= bytes.size();) {
+    if (bytes[at] != '\xff' || bytes[at + 1] == '\xff') {
+      ++at;
+      continue;
+    }
+    if (bytes[at + 1] == '\xda') break;
+    const std::size_t size = number(bytes, at + 2, 2, true);
+    const std::string_view segment = bytes.substr(at + 4, size - 2);
     if (bytes[at + 1] == '\xe1' && segment.starts_with(mark)) return orientation_in(segment.substr(mark.size()));
-    at += 2 + number(bytes, at + 2, 2, true);
+    at += 2 + size;
   }
   return 1;
 }

@@ -175,10 +175,13 @@ TEST_F(Pictures, JpegIsBrightOrDarkOnItsRim) {
     tjDestroy(handle);
     const Shape<2> shape = read("photo.jpg", bytes);
     EXPECT_FALSE(has_note(shape, "orientation"));
-    const Shape<2> turned = read("phone.jpg", std::string(bytes).insert(2, "\xff\xe1" + big(42, 2) + "Exif" +
+    const Shape<2> turned = read("phone.jpg", std::string(bytes).insert(2, "\xff\xff\xe1" + big(42, 2) + "Exif" +
                                                                                std::string(2, '\0') + exif(8, true)));
     EXPECT_EQ(turned.surface.vertices, shape.surface.vertices);
     EXPECT_TRUE(has_note(turned, "turned by 90 degrees to the left (orientation 8)"));
+    const Shape<2> camera = read("camera.jpg", std::string(bytes).insert(2, 3, 'x'));
+    EXPECT_EQ(camera.surface.vertices, shape.surface.vertices);
+    EXPECT_TRUE(has_note(camera, "bytes between its parts are left out"));
     EXPECT_NEAR(area(shape.surface) / area(expected_[0].surface), 1, 0.03);
     EXPECT_TRUE(has_note(shape, dark ? "what is darker than half of white" : "what is brighter than half of white"));
     if (!dark) EXPECT_NEAR(area(read("photo.jpeg", bytes, ":>128").surface) / area(expected_[0].surface), 1, 0.03);
