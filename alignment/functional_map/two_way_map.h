@@ -42,9 +42,9 @@ struct ShapePairSpectra {
   std::vector<std::pair<Index, Index>> landmarks;  ///< pairs of vertices; the first of both sets, in this order
 };
 
-/// \param landmarks vertices of both that are known to correspond; those of which a vertex has been named before are
-/// left out, and
-///   all where fewer than n_least_landmarks remain
+/// \param landmarks vertices of both that are known to correspond;
+///   those of which a vertex has been named before are left out,
+///   and all where fewer than n_least_landmarks remain
 /// \pre the shapes outlive the result
 ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2,
                                  const std::vector<std::pair<Index, Index>>& landmarks = {});

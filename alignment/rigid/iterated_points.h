@@ -82,9 +82,9 @@ RigidScore rigid_score(const SampledPair& pair, const RigidMotion& motion);
 /// Improves a motion: nearest points of both ways without the tenth that is farthest and without those on sides that
 /// face away; distances to tangent planes, and with a small weight to the points themselves, so that spheres do not
 /// turn. Source: D. Chetverikov, D. Stepanov, P. Krsek: Robust Euclidean alignment of 3D point sets: the trimmed
-/// iterative closest
-///   point algorithm. Image and Vision Computing 23, 2005; Y. Chen, G. Medioni: Object modelling by registration of
-///   multiple range images. Image and Vision Computing 10, 1992
+/// iterative closest point algorithm. Image and Vision Computing 23, 2005;
+/// Y. Chen, G. Medioni: Object modelling by registration of multiple range images.
+/// Image and Vision Computing 10, 1992
 RigidMotion iterated_points(const SampledPair& pair, RigidMotion motion, int n_sweeps);
 
 }  // namespace shellmatch

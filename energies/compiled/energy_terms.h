@@ -38,10 +38,10 @@ class EnergyTerms {
   EnergyTerms& operator=(const EnergyTerms&) = delete;
 
   /// Adds a term that is not in the list, for instance compile_term<MyTerm<Dim>>(), and returns its place in
-  /// TermValues. \param own     values of its own options; their defaults where it is empty \param fields  the user's
-  /// own fields that it reads, in the order of its Reads. Their values may change between evaluations \throws
-  /// InputError if an option is out of its range, or the term's stiffness (CompiledTerm::modulus) is then no finite
-  ///   number
+  /// TermValues.
+  /// \param own values of its own options; their defaults where it is empty
+  /// \param fields of the user's own that it reads, in the order of its Reads; values may change between evaluations
+  /// \throws InputError if an option is out of its range, or the stiffness (CompiledTerm::modulus) is no finite number
   /// \pre terms that read curvature all read roots, or all read shape operators; the fields have the term's components
   Term add(const CompiledTerm<Dim>& term, std::vector<double> own = {},
            std::vector<std::shared_ptr<const UserField>> fields = {});

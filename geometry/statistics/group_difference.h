@@ -24,8 +24,8 @@ struct GroupDifference {
   double global_p = 1;  ///< permutation test of `distance`
 };
 
-/// With the difference d of the means at a point and the covariance C of both groups about their own means, n_a + n_b -
-/// 2 in its denominator,
+/// With the difference d of the means at a point and the covariance C of both groups about their own means,
+/// n_a + n_b - 2 in its denominator,
 ///     T^2 = n_a n_b / (n_a + n_b) d^T C^-1 d.
 /// The covariance T of all about one mean does not change with the groups, and T^2 = (n - 2) s / (1 - s) with
 /// s = n_a n_b / (n (n - 1)) d^T T^-1 d in [0, 1]: a permutation costs a sum over one group and no inverse.

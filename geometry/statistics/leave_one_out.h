@@ -9,8 +9,8 @@ namespace shellmatch {
 /// Let y_i be n shapes less their mean, S = sum_i y_i y_i^T with eigenvalues lambda_k, and z the scores of one of them,
 /// y. About their own mean the others have
 ///     S' = S - rho y y^T,  rho = n / (n - 1),
-/// and y lies rho y from that mean. In the basis of the modes S' is diag(lambda) - rho z z^T, whose eigenvalues mu_k
-/// solve
+/// and y lies rho y from that mean. In the basis of the modes S' is diag(lambda) - rho z z^T, whose eigenvalues
+/// mu_k solve
 ///     1 = rho sum_j z_j^2 / (lambda_j - mu)        (G. H. Golub, SIAM Rev. 15, 1973),
 /// and the square of the component of rho y along the k-th eigenvector is 1 / sum_j (z_j / (lambda_j - mu_k))^2. Thus
 /// leaving out each of the shapes takes n^3 operations in all, while a new decomposition for each would take n^4.

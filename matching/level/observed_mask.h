@@ -38,8 +38,8 @@ template <int Dim>
 class ObservedMask final : public BandMask<Dim> {
  public:
   /// \param width > 0; unit domain. Half of the band's, within which coefficients are fitted to data and gap alike:
-  /// half of that and twice as
-  ///   much made errors larger on five pairs of which a third had been cut away
+  ///   half of that and twice as much made errors larger
+  ///   on five pairs of which a third had been cut away
   ObservedMask(ObservedPair<Dim> parts, double width) : parts_(std::move(parts)), width_(width) {}
   double weight(const Vec<Dim>& x, const Vec<Dim>& y) const override;
   std::optional<double> constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y, double y_radius) const override;

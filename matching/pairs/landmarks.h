@@ -41,9 +41,9 @@ void check_landmarks(const std::vector<Landmark<Dim>>& landmarks, const Landmark
 /// The landmarks as a term of a cascade: N landmarks of weight 1 have area(M1) / N each.
 /// \param name of the term \param pose of the reference, before the placement
 /// \param reference, template_shape in the unit domain, as `placement` has moved them
-/// \throws InputError that names the landmark which is not finite, outside of the domain, or farther from its shape
-/// than
-///   options.max_distance
+/// \throws InputError that names the landmark which is not finite,
+///   outside of the domain,
+///   or farther from its shape than options.max_distance
 template <int Dim>
 PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<Dim>>& landmarks,
                             const LandmarkOptions& options, const Similarity<Dim>& pose,
