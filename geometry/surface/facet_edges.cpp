@@ -46,28 +46,40 @@ std::vector<FacetEdge> sorted_edges(const Facets& facets, std::size_t n_vertices
   return edges;
 }
 
-bool is_oriented_manifold(const Facets& facets, std::size_t n_vertices) {
+bool is_oriented_manifold(const Facets& facets, std::size_t n_vertices, Border border) {
+  for (const auto& [a, b, c] : facets)
+    if (a == b || b == c || c == a) return false;
   // The corner that follows around the same vertex, across the side that leaves it.
   std::vector<Index> next(3 * facets.size(), no_index);
+  std::vector<bool> is_first(next.size(), true);
   bool is_good = true;
   for_each_edge(sorted_edges(facets, n_vertices), [&](const FacetEdge* begin, const FacetEdge* end) {
+    if (border == Border::allowed && end - begin == 1) return;
     const auto at = [](const FacetEdge& e, int k) { return 3 * e.facet + (e.begin + k) % 3; };
     const auto first = [&](const FacetEdge& e) { return facets[e.facet][e.begin]; };
-    is_good = is_good && end - begin == 2 && begin[0].facet != begin[1].facet && first(begin[0]) != first(begin[1]);
+    is_good = is_good && end - begin == 2 && first(begin[0]) != first(begin[1]);
     if (!is_good) return;
-    next[at(begin[0], 0)] = at(begin[1], 1);
-    next[at(begin[1], 0)] = at(begin[0], 1);
+    const auto link = [&](Index corner, Index follower) {
+      next[corner] = follower;
+      is_first[follower] = false;
+    };
+    link(at(begin[0], 0), at(begin[1], 1));
+    link(at(begin[1], 0), at(begin[0], 1));
   });
-  if (!is_good || std::ranges::find(next, no_index) != next.end()) return false;
-  // One round for each vertex: a second one is a second fan.
+  if (!is_good) return false;
+  // One fan for each vertex: those that begin at a border, and then those that go round.
   std::vector<bool> has_fan(n_vertices, false), is_seen(next.size(), false);
-  for (std::size_t c = 0; c < next.size(); ++c) {
-    if (is_seen[c]) continue;
+  const auto is_only_fan = [&](std::size_t c) {
     const Index v = facets[c / 3][c % 3];
     if (has_fan[v]) return false;
     has_fan[v] = true;
-    for (std::size_t turn = c; !is_seen[turn]; turn = static_cast<std::size_t>(next[turn])) is_seen[turn] = true;
-  }
+    for (auto turn = static_cast<Index>(c); turn != no_index && !is_seen[turn]; turn = next[turn]) is_seen[turn] = true;
+    return true;
+  };
+  for (std::size_t c = 0; c < next.size(); ++c)
+    if (is_first[c] && !is_only_fan(c)) return false;
+  for (std::size_t c = 0; c < next.size(); ++c)
+    if (!is_seen[c] && !is_only_fan(c)) return false;
   return true;
 }
 

@@ -32,8 +32,11 @@ void for_each_edge(const std::vector<FacetEdge>& sorted, Visit&& visit) {
   }
 }
 
+enum class Border { none, allowed };
+
 /// Does the surface bound, as it stands: every edge has two triangles that run through it in opposite directions, and
-/// the triangles at every vertex are one fan?
-bool is_oriented_manifold(const std::vector<std::array<Index, 3>>& facets, std::size_t n_vertices);
+/// the triangles at every vertex are one fan? \param border allowed: edges may also have one triangle
+bool is_oriented_manifold(const std::vector<std::array<Index, 3>>& facets, std::size_t n_vertices,
+                          Border border = Border::none);
 
 }  // namespace shellmatch

@@ -64,5 +64,27 @@ TEST(FacetEdges, TellWhatBoundsFromWhatDoesNot) {
   EXPECT_FALSE(is_oriented_manifold({{0, 1, 0}}, 2));
 }
 
+TEST(FacetEdges, BordersMayBeAllowed) {
+  const auto is_mesh = [](const Facets& facets, std::size_t n) {
+    return is_oriented_manifold(facets, n, Border::allowed);
+  };
+  const Surface<3> ball = unit_sphere(2);
+  const std::size_t n = ball.vertices.size();
+  EXPECT_TRUE(is_mesh(ball.facets, n));
+  // Without all facets at a vertex.
+  Facets open = ball.facets;
+  const auto at = [](const std::array<Index, 3>& facet, Index v) { return std::ranges::find(facet, v) != facet.end(); };
+  std::erase_if(open, [&](const auto& facet) { return at(facet, 7); });
+  EXPECT_TRUE(is_mesh(open, n));
+  EXPECT_FALSE(is_oriented_manifold(open, n));
+  std::swap(open[3][0], open[3][1]);
+  EXPECT_FALSE(is_mesh(open, n));
+  EXPECT_TRUE(is_mesh({{0, 1, 2}, {0, 2, 3}}, 4));
+  EXPECT_FALSE(is_mesh({{0, 1, 2}, {0, 2, 3}, {2, 0, 4}}, 5)) << "three triangles at an edge";
+  EXPECT_FALSE(is_mesh({{0, 1, 2}, {0, 3, 4}}, 5)) << "two fans that end";
+  EXPECT_FALSE(is_mesh({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}, 6)) << "one that goes round, and one that ends";
+  EXPECT_FALSE(is_mesh({{0, 1, 2}, {0, 1, 0}}, 3));
+}
+
 }  // namespace
 }  // namespace shellmatch
