@@ -2,7 +2,6 @@
 /// \file
 /// Reports the progress of a run to the user.
 
-#include "apps/terminal/heartbeat.h"
 #include "apps/terminal/time_left.h"
 #include "apps/terminal/words.h"
 #include "matching/progress/observer.h"

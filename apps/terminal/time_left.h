@@ -1,11 +1,30 @@
 #pragma once
 /// \file
-/// Estimates the remaining time of a cascade.
+/// How long the rest of a cascade may take, and a sign of life while nothing else is reported.
 
+#include <condition_variable>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace shellmatch {
+
+/// Calls a function about once a second, in a thread of its own, until it is destroyed.
+class Heartbeat {
+ public:
+  explicit Heartbeat(std::function<void()> beat);
+  ~Heartbeat();
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool is_over_ = false;
+  std::thread thread_;
+};
 
 /// Assumes that the time per node is that of the previous level, and that the number of nodes grows by the same factor
 /// from level to level. Times are in seconds of any one clock.

@@ -20,6 +20,8 @@
 
 namespace shellmatch {
 
+/// What the band terms read at eight quadrature points and what they give back, as flat arrays of packs: the inputs of
+/// compiled code (energies/autodiff/compiled.h).
 template <int Dim>
 struct PointArrays {
   static constexpr int n_target = TargetPoint<Dim, double>::size;

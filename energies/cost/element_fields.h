@@ -16,7 +16,8 @@
 
 namespace shellmatch {
 
-/// Values of one field. They may be changed between evaluations.
+/// Values of a field of the user's own, such as a rotation that lags behind phi or a weight, which a term reads beside
+/// those of the shapes (OwnField, energies/terms/depends_on.h). They may be changed between evaluations.
 struct UserField {
   enum class Place {
     nodes,  ///< of the grid, hanging nodes included; multilinear on each cell

@@ -18,6 +18,11 @@
 namespace shellmatch {
 
 /// A = U diag(s) V^T.
+/// An isotropic density at A = U diag(s) V^T with rotations U, V is psi(s). In the frames U and V its second derivative
+/// splits into the Hessian of psi on the diagonal and, for each pair (i, j), a twist (e_i e_j^T - e_j e_i^T) with
+/// eigenvalue (psi_i + psi_j)/(s_i + s_j) and a flip (e_i e_j^T + e_j e_i^T) with (psi_i - psi_j)/(s_i - s_j). Smith,
+/// de Goes and Kim, 'Analytic eigensystems for isotropic distortion energies', ACM TOG 38(1), 2019. Eight matrices at a
+/// time; psi and its derivatives come from the density itself, by second-order automatic differentiation.
 template <int Dim>
 struct Stretches {
   SmallMat<autodiff::Pack, Dim> u, v;

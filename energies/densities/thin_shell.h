@@ -12,7 +12,7 @@
 
 namespace shellmatch {
 
-/// First and second derivative by 1 - det.
+/// How W grows where tangential maps compress and turn over: first and second derivative by 1 - det.
 struct GrowthDerivatives {
   autodiff::Pack first, second;
 };
@@ -64,7 +64,9 @@ inline void clamp_symmetric(autodiff::Pack& a, autodiff::Pack& b, autodiff::Pack
   c = s * c;
 }
 
-/// Positive semidefinite second derivative of W at Y, by the entries of Y in row order. One number in the plane.
+/// Positive semidefinite second derivative of W at Y, by the entries of Y in row order, in closed form, eight points at
+/// a time. One number in the plane. In orthonormal frames of both tangent planes (energies/densities/tangent_frames.h)
+/// the argument of W is Y, of one row and column less, beside a 1, so that W = mu/2 |Y|^2 + f(det Y) + constant.
 template <int Dim, class Growth>
 SquarePack<(Dim - 1) * (Dim - 1)> thin_shell_tangent_hessian(const std::array<autodiff::Pack, (Dim - 1) * (Dim - 1)>& y,
                                                              const Material<double>& c) {

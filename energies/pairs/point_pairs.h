@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Pairs of points that a map is to carry onto each other, as data of an energy.
+/// Pairs of points that a map is to carry onto each other, as data of an energy, with losses named as in Ceres.
 
 #include "base/options.h"
 #include "base/types.h"

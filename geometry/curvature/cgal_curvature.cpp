@@ -1,4 +1,4 @@
-#include "geometry/curvature/mesh_curvature.h"
+#include "geometry/curvature/curvature.h"
 
 #include "base/error.h"
 #include "base/parallel.h"

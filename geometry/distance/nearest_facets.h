@@ -11,6 +11,7 @@
 
 namespace shellmatch {
 
+/// Of two limbs that touch, the nearest facet as such may belong to the other one, or to the other side of a thin part.
 template <int Dim>
 class OrientedFacets {
  public:

@@ -16,7 +16,8 @@ namespace shellmatch {
 
 namespace {
 
-// The neighbours of a site of the body-centred cubic lattice.
+// The neighbours of a site of the body-centred cubic lattice. With the lattice edges between them they form a
+// triangulated sphere, the link of the site.
 constexpr int n_lattice_neighbours = 14;
 
 // Their offsets in half sides of a cube: 8 across short edges, then 6 across long ones.

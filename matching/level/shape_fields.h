@@ -33,6 +33,7 @@ class NodalDistance {
   std::vector<double> values_;
 };
 
+/// A separate grid for the smooth fields of one shape, refined only as far around it as the splines need.
 template <int Dim>
 struct FieldGrid {
   Octree<Dim> grid;

@@ -12,12 +12,28 @@
 #include "matching/experiment/pair_options.h"
 #include "matching/level/level_energy.h"
 #include "matching/level/observed_mask.h"
-#include "matching/pairs/surface_samples.h"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
 namespace shellmatch {
+
+template <int Dim>
+struct SurfaceSample {
+  Index vertex;
+  Vec<Dim> x;
+  Vec<Dim> normal;  ///< of length 1: the mean over the facets around, by their area (length)
+  double area;      ///< that it stands for (length)
+};
+
+/// Samples of the vertices that have an area and a normal and for which `contains` holds: all or, where there are more,
+/// at most `most`, each of which stands for a multiple of total area / most. They are taken along a Morton curve, which
+/// spreads them evenly.
+template <int Dim>
+std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std::size_t most,
+                                                const std::function<bool(const Vec<Dim>&)>& contains);
 
 template <int Dim>
 class Coverage {

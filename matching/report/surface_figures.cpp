@@ -1,8 +1,7 @@
 #include "matching/report/surface_figures.h"
 
 #include "base/parallel.h"
-#include "geometry/curvature/curve_curvature.h"
-#include "geometry/curvature/mesh_curvature.h"
+#include "geometry/curvature/curvature.h"
 #include "geometry/distance/distortion.h"
 #include "geometry/distance/surface_distance.h"
 

@@ -2,7 +2,7 @@
 
 #include "alignment/spectrum/spin_images.h"
 #include "base/parallel.h"
-#include "matching/pairs/surface_samples.h"
+#include "matching/pairs/coverage.h"
 
 #include <algorithm>
 #include <cmath>

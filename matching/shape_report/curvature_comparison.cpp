@@ -1,15 +1,14 @@
 #include "matching/shape_report/curvature_comparison.h"
 
 #include "base/parallel.h"
-#include "geometry/curvature/mesh_curvature.h"
-#include "geometry/curvature/curve_curvature.h"
-#include "geometry/surface/placement.h"
+#include "geometry/curvature/curvature.h"
 #include "geometry/distance/signed_distance.h"
-#include "grid/fits/curvature.h"
-#include "grid/octree/surface_cells.h"
+#include "geometry/surface/placement.h"
 #include "grid/fields/fast_marching.h"
 #include "grid/fields/interpolation.h"
 #include "grid/fields/sample.h"
+#include "grid/fits/curvature.h"
+#include "grid/octree/surface_cells.h"
 #include "matching/progress/phase_clock.h"
 
 #include <Eigen/Geometry>

@@ -13,7 +13,8 @@ namespace shellmatch {
 
 /// rho(tau), the share of problems that a solver solves within tau times the cost of the best solver for that problem.
 /// A step function, continuous from the right: its value is share[i] from ratio[i] on. The ratios increase strictly,
-/// beginning with 1.
+/// beginning with 1. E. D. Dolan and J. J. More, 'Benchmarking optimization software with performance profiles',
+/// Mathematical Programming 91, 2002.
 struct PerformanceProfile {
   std::vector<double> ratio, share;
 

@@ -1,6 +1,6 @@
 // What a user sees on a terminal: one line that is rewritten, cut to the terminal's width, and one that stays for each
 // level.
-#include "apps/terminal/heartbeat.h"
+#include "apps/terminal/time_left.h"
 #include "tests/apps/cli_harness.h"
 #include "tests/matching/output/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "geometry/curvature/mesh_curvature.h"
+#include "geometry/curvature/curvature.h"
 
 #include "tests/geometry/surface/test_surfaces.h"
 

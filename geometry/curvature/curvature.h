@@ -1,8 +1,6 @@
 #pragma once
 /// \file
-/// Principal curvatures at the vertices of a mesh from a polynomial through nearby vertices: Cazals and
-/// Pouget, 'Estimating differential quantities using polynomial fitting of osculating jets', CAGD 22(2), 2005
-/// (CGAL).
+/// Curvatures at the vertices of meshes and closed contours.
 
 #include "base/types.h"
 #include "geometry/surface/surface.h"
@@ -28,8 +26,16 @@ struct CurvatureOptions {
 // Where a vertex has very many edges, rings are large: the nearest 200 vertices of them are taken, or 10 times as many
 // as such rings have where all vertices have six edges if that is more.
 
-/// The curvatures at each vertex. All entries are NaN where the connected part has fewer vertices than the
-/// polynomial has coefficients, or the vertex has no facet.
+/// The curvatures at each vertex from a polynomial through nearby ones: Cazals and Pouget, 'Estimating differential
+/// quantities using polynomial fitting of osculating jets', CAGD 22(2), 2005 (CGAL). All entries are NaN where the
+/// connected part has fewer vertices than the polynomial has coefficients, or the vertex has no facet.
 std::vector<VertexCurvature> vertex_curvatures(const Surface<3>& surface, const CurvatureOptions& options = {});
+
+/// The curvature at every vertex of the parabola fitted by least squares to the vertex and its `n_rings`
+/// neighbours on each side: the counterpart in the plane of vertex_curvatures(). Positive
+/// where convex; unit 1/length. NaN where the ring has fewer than 2 n_rings + 1 vertices, or the vertex is
+/// not on exactly one ring.
+/// \pre n_rings >= 1 (checked)
+std::vector<double> curve_curvatures(const Surface<2>& curve, int n_rings = 2);
 
 }  // namespace shellmatch
