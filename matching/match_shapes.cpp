@@ -24,8 +24,9 @@ template <int Dim>
 MatchResult<Dim> match_shapes(ShapePair<Dim> shapes, const ExperimentOptions& options, Observer& observer,
                               const std::vector<Landmark<Dim>>& landmarks, const Correspondence<Dim>& truth) {
   check_experiment(options);
-  if (!options.start.map.empty())
-    throw_input_error("start.map: is for the program's files, and this matching has none; leave it out");
+  if (!options.start.map.empty() || !options.start.images.empty())
+    throw_input_error("start.{}: is for the program's files, and this matching has none; leave it out",
+                      options.start.map.empty() ? "images" : "map");
   set_n_threads(options.threads);
   RunClock clock;
   Recorder recorder(observer);

@@ -12,6 +12,7 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/match_placed_shapes.h"
 #include "matching/pairs/landmark_file.h"
+#include "matching/prediction/reference_images.h"
 #include "matching/output/summary.h"
 #include "matching/pictures/level_picture.h"
 #include "matching/progress/process_info.h"
@@ -76,8 +77,8 @@ class Run {
     // starts on it.
     check_size<Dim>({}, options_.cascade.min_level, options_.cascade.max_level, folder_.final_path());
     const Shape<Dim>&reference = inputs_.shapes.reference, &template_shape = inputs_.shapes.template_shape;
-    // With start.map there are no checkpoints: the identity of a run does not cover the contents of that file.
-    if (options_.resume.enabled && options_.start.map.empty()) {
+    // With earlier results there are no checkpoints: the identity of a run does not cover the contents of their files.
+    if (options_.resume.enabled && options_.start.map.empty() && options_.start.images.empty()) {
       checkpoints_.open(folder_.final_path(),
                         run_identity(options_, reference.original, template_shape.original, inputs_.landmarks));
       if (!restart) {
@@ -86,6 +87,7 @@ class Run {
         inputs_.checkpoint = std::move(levels);
       }
     }
+    findings_.images = read_reference_images<Dim>(options_.start.images, reference.original.vertices.size());
     prepare();
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());

@@ -23,6 +23,11 @@ std::string absolute(const std::string& path) {
   return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
 }
 
+// Of hundreds of subjects nobody looks at pages and pictures of all.
+std::vector<Override> defaults_of_subjects() {
+  return {{"pictures", "none", "a cohort's default"}, {"report", "false", "a cohort's default"}};
+}
+
 // Options that the cohort sets by itself.
 void check_experiment_options(const Cohort& cohort) {
   const ExperimentOptions& o = cohort.experiment;
@@ -34,6 +39,8 @@ void check_experiment_options(const Cohort& cohort) {
   if (!o.input.correspondence.empty()) refuse("input.correspondence", "landmarks");
   if (!o.landmarks.file.empty()) refuse("landmarks.file", "atlas.landmarks");
   if (!o.landmarks.template_file.empty()) refuse("landmarks.template_file", "the column landmarks of a table");
+  if (!o.start.images.empty())
+    throw_input_error("{}: set.start.images: are those of the first subjects; leave it out", cohort.name);
   if (!o.start.map.empty())
     throw_input_error(
         "{}: set.start.map: is the map of one subject alone, and the rounds of a mean begin with those of the round "
@@ -130,7 +137,9 @@ Cohort read_cohort(const std::string& path, const CohortWords& words) {
     cohort.options.atlas.shape = words.atlas;
     atlas_of_file = false;
   }
-  cohort.experiment = make_experiment(changes);
+  std::vector<Override> all = defaults_of_subjects();
+  all.insert(all.end(), changes.begin(), changes.end());
+  cohort.experiment = make_experiment(all);
   check_experiment_options(cohort);
   check_levels(cohort);
   read_subjects(cohort, words);
@@ -154,6 +163,7 @@ std::string to_yaml(const Cohort& cohort) {
   OptionNode root = option_tree(options);
   std::erase_if(root.children, [](const OptionNode& option) { return option.name == "set"; });
   ExperimentOptions experiment = cohort.experiment, defaults = profile_defaults(experiment.profile);
+  for (const Override& change : defaults_of_subjects()) apply_override(defaults, change);
   std::string set = changed_yaml_text(option_tree(experiment), option_tree(defaults), 1);
   if (experiment.profile != Profile::standard)
     set = fmt::format("  profile: {}\n", enum_name(experiment.profile)) + set;

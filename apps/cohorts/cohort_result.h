@@ -26,6 +26,7 @@ struct SubjectResult {
   double diagonal = 0;                       ///< of the subject's bounding box, in its unit
   double seconds = 0;
   std::string folder;     ///< of its result, relative to the cohort's: "runs/ID/output"; empty where there is none
+  bool has_page = false;  ///< the result has a page of its own
   bool in_model = false;  ///< whether it is a column of the statistics
 };
 

@@ -90,8 +90,9 @@ void describe(CLI::App& app, CohortCommand& cohort) {
   command->add_flag("--retry", cohort.retry, "match again what has a result but did not finish");
   command->add_flag("--list", cohort.list,
                     "print the ids of the subjects; with -v also threads, seconds and MB of a matching");
-  command->add_flag("--list-stages", cohort.list_stages,
-                    "print the stages: the rounds that the search for the atlas may take, and last");
+  command->add_flag(
+      "--list-stages", cohort.list_stages,
+      "print the stages: the rounds that the search for the atlas may take, or the first subjects, and last");
   command
       ->add_option("--only", cohort.only, "match this subject alone, in the first stage that is not closed; repeatable")
       ->type_name("ID")

@@ -3,6 +3,7 @@
 #include "apps/cohorts/execution/cohort_cost.h"
 #include "apps/cohorts/execution/kept_results.h"
 #include "apps/cohorts/execution/run_cohort.h"
+#include "apps/cohorts/execution/stage_tasks.h"
 #include "apps/cohorts/output/own_files.h"
 #include "apps/cohorts/output/write_cohort.h"
 #include "apps/commands.h"
@@ -109,9 +110,9 @@ bool choose_part(const CohortCommand& command, const Cohort& cohort, CohortPart&
   if (part.subjects.empty() && command.shard.empty() && !part.collect)
     throw_input_error("--stage {}: is for --only, --shard or --collect", command.stage);
   const auto round = shellmatch::to_integer(command.stage);
-  if (command.stage != "last" && (!round || *round < 1 || *round > 100))
-    throw_input_error("--stage {}: expected the number of a round, or last", command.stage);
-  part.stage = Stage{round ? static_cast<int>(*round) : 0};
+  if (command.stage != "last" && command.stage != "first" && (!round || *round < 1 || *round > 100))
+    throw_input_error("--stage {}: expected the number of a round, first or last", command.stage);
+  part.stage = Stage{round ? static_cast<int>(*round) : command.stage == "first" ? Stage::first_part : 0};
   return part.collect || !part.subjects.empty();
 }
 
@@ -127,6 +128,7 @@ void list(const Cohort& cohort, const CohortCommand& command) {
 
 void list_stages(const Cohort& cohort) {
   for (int k = 1; k <= n_rounds(cohort); ++k) std::cout << k << "\n";
+  if (!first_subjects(cohort).empty()) std::cout << "first\n";
   std::cout << "last\n";
 }
 

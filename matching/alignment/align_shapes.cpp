@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace shellmatch {
@@ -194,6 +195,21 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   return result;
 }
 
+/// What is near everywhere needs no pairs.
+template <int Dim>
+Alignment<Dim> predicted(const PredictedPose& found, std::size_t n_images, const AlignOptions& options,
+                         Observer& observer) {
+  Alignment<Dim> result;
+  if constexpr (Dim == 3) result.pose = choose_pose<3>(found.pairs, options, Mirroring::never);
+  result.is_near = true;
+  AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
+  if (std::isfinite(found.margin)) s.margin = found.margin;
+  s.n_images = static_cast<int>(n_images);
+  observer.note(fmt::format("alignment: pose predicted from {} earlier results, which come as near as {:.2g} diagonals",
+                            n_images, found.residual));
+  return result;
+}
+
 template <int Dim>
 Alignment<Dim> without_search(const std::string& why, const std::vector<Landmark<Dim>>& landmarks,
                               const AlignOptions& options, Observer& observer) {
@@ -214,6 +230,8 @@ Alignment<Dim> search_if_possible(const ShapePair<Dim>& shapes, const std::vecto
                                   const ExperimentOptions& options, Observer& observer,
                                   AlignmentFindings<Dim>& findings, Trials<Dim>& trials) {
   try {
+    if (const auto found = clear_pose(shapes, findings.images, options.align.search, observer))
+      return predicted<Dim>(*found, findings.images.size(), options.align, observer);
     return search(shapes, landmarks, options.align, observer, findings, trials);
   } catch (const InputError& error) {
     return without_search(error.what(), landmarks, options.align, observer);

@@ -19,7 +19,9 @@ template <int Dim>
 struct Alignment {
   Similarity<Dim> pose;  ///< moves the reference onto the template, user's coordinates; the identity if it stays
   std::vector<Landmark<Dim>> pairs;  ///< found automatically, in the user's coordinates, before the pose
-  double spread = 1;                 ///< of the pairs' errors over those of nearly isometric shapes; at least 1
+  /// Without pairs, too, no part begins far from where it belongs.
+  bool is_near = false;
+  double spread = 1;  ///< of the pairs' errors over those of nearly isometric shapes; at least 1
   /// Where landmarks took part in the search: a factor on their weight, below 1 where they are noisier than the pairs.
   std::optional<double> landmark_trust = {};
   std::optional<AlignmentSummary> summary;  ///< none with align.mode none

@@ -5,6 +5,7 @@
 #include "matching/alignment/choose_start.h"
 #include "matching/alignment/kept_results.h"
 #include "matching/alignment/trial.h"
+#include "matching/prediction/reference_images.h"
 
 #include <cstddef>
 
@@ -16,6 +17,7 @@ struct AlignmentFindings {
   KeptResults<StartSearch<Dim>> by_pairs, by_poses;  ///< without fits_far_better_mirrored
   KeptResults<bool> fits_mirrored;
   TrialFindings trials;
+  ReferenceImages<Dim> images = {};  ///< what earlier matchings of the same reference have found
 
   double seconds() const {
     return by_pairs.seconds + by_poses.seconds + fits_mirrored.seconds + trials.starts.seconds +

@@ -67,7 +67,7 @@ template <int Dim>
 ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignment<Dim>& alignment) {
   ExperimentOptions result = options;
   // The deep teeth of outlines lie between their pairs, and need a wide band.
-  if (Dim == 3 && !alignment.pairs.empty() && options.align.weight > 0)
+  if (Dim == 3 && (alignment.is_near || (!alignment.pairs.empty() && options.align.weight > 0)))
     result.cascade.coarse_sigma_cells = options.align.coarse_sigma_cells;
   return result;
 }

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace shellmatch {
 
@@ -181,6 +182,7 @@ struct CascadeOptions {
 struct StartOptions {
   std::string map;
   int level = 0;
+  std::vector<std::string> images;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit(
@@ -196,6 +198,11 @@ struct StartOptions {
          .max = finest_level,
          .meaning =
              "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
+    visit("images", self.images,
+          {.meaning =
+               "output folders of earlier runs that have deformed the same reference onto other shapes: of surfaces "
+               "the pose is predicted from these with align.mode auto, and pairs are searched only where that is not "
+               "clear or leaves a part far away. Such a run keeps no checkpoints"});
   }
 };
 

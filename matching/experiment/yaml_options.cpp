@@ -7,10 +7,10 @@
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
 
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace shellmatch {
 
@@ -55,9 +55,12 @@ void apply(const OptionNode& root, const Override& change) {
 }
 
 // The options that are names of files.
-std::array<std::string*, 6> paths_of(ExperimentOptions& options) {
-  return {&options.input.reference, &options.input.template_file,     &options.input.correspondence,
-          &options.landmarks.file,  &options.landmarks.template_file, &options.start.map};
+std::vector<std::string*> paths_of(ExperimentOptions& options) {
+  std::vector<std::string*> paths{&options.input.reference,         &options.input.template_file,
+                                  &options.input.correspondence,    &options.landmarks.file,
+                                  &options.landmarks.template_file, &options.start.map};
+  for (std::string& folder : options.start.images) paths.push_back(&folder);
+  return paths;
 }
 
 std::string beside(const std::string& file, const std::string& shape) {
@@ -157,7 +160,7 @@ Override parse_override(const std::string& assignment) {
 
 Override beside_file(Override change, const std::string& file) {
   ExperimentOptions options;
-  const std::array<std::string*, 6> paths = paths_of(options);
+  const std::vector<std::string*> paths = paths_of(options);
   const OptionNode root = option_tree(options);
   const OptionNode* option = find_option(root, change.key);
   if (option == nullptr || option->kind != OptionKind::text || option->is_list) return change;

@@ -137,6 +137,7 @@ static void describe(S& s, Member&& member) {
   member("fits_mirrored", s.fits_mirrored);
   member("landmark_distance", s.landmark_distance);
   member("landmark_trust", s.landmark_trust);
+  member("predicted_from", s.n_images);
 }
 
 template <class S, class Member>

@@ -96,6 +96,7 @@ struct AlignmentSummary {
   bool as_it_lies = false;  ///< nothing is used then: not clearly better than the shapes as they lie
   bool fits_mirrored =
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
+  std::optional<int> n_images = {};  ///< earlier results that it was predicted from, without a search
 };
 
 /// How far landmarks end from where they belong, in diagonals of the template.

@@ -80,8 +80,9 @@ ExperimentOptions options_of(const std::string& config, const OptionTexts& texts
   options.input.reference = shapes[0].contents.index() == 0 ? shapes[0].name : "";
   options.input.template_file = shapes[1].contents.index() == 0 ? shapes[1].name : "";
   check_experiment(options);
-  if (!options.start.map.empty())
-    throw_input_error("start.map: is for the command line, whose runs have files; leave it out");
+  if (!options.start.map.empty() || !options.start.images.empty())
+    throw_input_error("start.{}: is for the command line, whose runs have files; leave it out",
+                      options.start.map.empty() ? "images" : "map");
   return options;
 }
 

@@ -189,10 +189,42 @@ class CohortRun {
     write_round(record, runs.path() + "/round.json");
   }
 
+  // Matches the first subjects, so that the poses of the others can be predicted. How the work ends with them; nothing
+  // where it goes on.
+  std::optional<CohortEnd> perform_first(Atlas<Dim>& atlas) {
+    const Stage stage{Stage::first_part};
+    const bool is_asked = part_.stage == stage;
+    const std::optional<CohortEnd> end = is_asked ? std::optional(CohortEnd::in_part) : std::nullopt;
+    const std::vector<std::size_t> first = Dim == 3 ? first_subjects(cohort_) : std::vector<std::size_t>{};
+    if (first.empty()) return end;
+    const auto is_open = [&] { return !is_matched(tasks_.of(stage, atlas.files, first), folder_); };
+    if (is_part()) {
+      if (is_open() && part_.stage && !is_asked)
+        throw_input_error("{}: {} waits for {}: match these with --stage first", folder_.path(), part_.stage->name(),
+                          stage.name());
+      std::vector<std::size_t> own;
+      for (const std::size_t k : first)
+        if (std::ranges::find(part_.subjects, k) != part_.subjects.end()) own.push_back(k);
+      if (!own.empty() && is_open() && !match(stage, tasks_.of(stage, atlas.files, own), folder_))
+        return CohortEnd::stopped;
+      if (!is_asked && is_open()) {
+        observer_.note("the other subjects wait for the first ones of other parts; then the same command goes on");
+        return CohortEnd::in_part;
+      }
+    } else if (!part_.collect && is_open() && !match(stage, tasks_.of(stage, atlas.files, first), folder_)) {
+      return CohortEnd::stopped;
+    }
+    if (!is_part() && is_asked && is_open())
+      throw_input_error("{}: {}: some have no result yet", folder_.path(), stage.name());
+    atlas.files.images = tasks_.images_of(first, folder_.path() + "/runs");
+    return end;
+  }
+
   CohortOutcome last_stage(Atlas<Dim> atlas) {
     const Stage stage{};
     if (part_.stage && !part_.stage->is_last())
       return {CohortEnd::in_part};  // the search for the atlas ended before that round
+    if (const std::optional<CohortEnd> end = perform_first(atlas)) return {*end};
     if (is_part()) {
       return {match(stage, tasks_.of(stage, atlas.files, part_.subjects), folder_) ? CohortEnd::in_part
                                                                                    : CohortEnd::stopped};

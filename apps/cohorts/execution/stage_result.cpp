@@ -6,8 +6,10 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/output/summary.h"
 #include "matching/pairs/point_frame.h"
+#include "matching/report/report.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <utility>
@@ -89,6 +91,7 @@ class Reader {
 
   void use(Finished f, std::size_t k, const RunTask& task, const std::string& landmarks, SubjectResult& row) {
     row.folder = "runs/" + task.name + "/output";
+    row.has_page = std::filesystem::exists(f.output + "/" + report_file_name);
     row.distance = f.summary.distance;
     row.diagonal = f.summary.template_diagonal.value_or(0);
     if (f.summary.verdict) {

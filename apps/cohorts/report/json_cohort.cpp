@@ -13,9 +13,9 @@ namespace {
 Json distance_json(const OneSidedDistance& d) { return {{"mean", d.mean}, {"p95", d.p95}, {"max", d.max}}; }
 
 Json subject_json(const SubjectResult& subject) {
-  Json row = {{"id", subject.id},           {"group", subject.group},      {"status", subject.status},
-              {"message", subject.message}, {"outcome", subject.outcome},  {"diagonal", subject.diagonal},
-              {"folder", subject.folder},   {"in_model", subject.in_model}};
+  Json row = {{"id", subject.id},           {"group", subject.group},       {"status", subject.status},
+              {"message", subject.message}, {"outcome", subject.outcome},   {"diagonal", subject.diagonal},
+              {"folder", subject.folder},   {"has_page", subject.has_page}, {"in_model", subject.in_model}};
   row["reasons"] = Json::array();
   for (const VerdictReason& reason : subject.reasons)
     row["reasons"].push_back({{"what", reason.what}, {"advice", reason.advice}});

@@ -47,6 +47,11 @@ std::string RunInputs::of(const ExperimentOptions& options, const std::string& w
   if (const std::string& map = options.start.map; !map.empty())
     text +=
         "\n" + checksum_of_file(std::filesystem::is_directory(map) ? map + "/" + deformation_file_name : map, where);
+  // As the run reads them.
+  for (const std::string& folder : options.start.images)
+    for (const char* name : {"deformed.ply", "deformed.csv"})
+      if (const std::string file = folder + "/" + name; std::filesystem::exists(file))
+        text += "\n" + checksum_of_file(file, where);
   return text;
 }
 
@@ -54,6 +59,7 @@ std::string portable_yaml(ExperimentOptions o) {
   for (std::string* source : {&o.input.reference, &o.input.template_file, &o.input.correspondence, &o.landmarks.file,
                               &o.landmarks.template_file, &o.start.map})
     if (!is_generated_source(*source)) *source = std::filesystem::path(*source).filename().string();
+  for (std::string& folder : o.start.images) folder = std::filesystem::path(folder).filename().string();
   return to_yaml(o);
 }
 

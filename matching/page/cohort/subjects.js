@@ -25,7 +25,7 @@ function rowOf(subject, hasGroups, show) {
   const name = subject.column === undefined ? element("span", {}, subject.id) : element("button", { type: "button", class: "name", title: "Show this shape", onclick: show }, subject.id);
   const picture = subject.thumbnail ? element("img", { class: "thumbnail", alt: "", src: `data:image/png;base64,${subject.thumbnail}`, onclick: show }) : null;
   return element("tr", {}, element("td", { class: "picture" }, picture),
-    element("th", { scope: "row" }, name, subject.folder ? element("a", { href: reportAddress(subject.folder), target: "_blank", rel: "noopener" }, "report") : null),
+    element("th", { scope: "row" }, name, subject.has_page ? element("a", { href: reportAddress(subject.folder), target: "_blank", rel: "noopener" }, "report") : null),
     hasGroups ? element("td", { class: "words" }, subject.group) : null, distanceCell(subject, "atlas_to_subject"), distanceCell(subject, "subject_to_atlas"),
     element("td", { class: "words" }, element("span", { class: `outcome ${subject.kind}` }, subject.result), ...reasons(subject)));
 }

@@ -59,6 +59,16 @@ TEST_F(CohortFile, PathsAreRelativeToTheFile) {
   EXPECT_EQ(cohort.options.atlas.landmarks, (folder_ / "points.csv").string());
 }
 
+TEST_F(CohortFile, SubjectsHaveNoPagesUnlessTheyAreAskedFor) {
+  EXPECT_FALSE(read(two).experiment.report);
+  EXPECT_EQ(read(two).experiment.pictures, Pictures::none);
+  const Cohort asked = read(two + "set: {report: true, pictures: result}\n");
+  EXPECT_TRUE(asked.experiment.report);
+  const Cohort again = read(to_yaml(asked));
+  EXPECT_TRUE(again.experiment.report);
+  EXPECT_EQ(again.experiment.pictures, Pictures::result);
+}
+
 TEST_F(CohortFile, WhatIsWrittenIsReadBack) {
   const Cohort cohort = read(two +
                              "title: \"two: shapes\"\natlas: {kind: medoid, shape: ellipse}\nlandmarks: compare\n"
@@ -96,6 +106,7 @@ TEST_F(CohortFile, MistakesAreSaidWithTheirPlace) {
   expect_refused(two + "set: {cascade: {max_levels: 5}}\n", {"max_level"});
   expect_refused(two + "set: {input: {reference: a.ply}}\n", {"input.reference", "use atlas.shape"});
   expect_refused(two + "set: {start: {map: out/earlier}}\n", {"set.start.map", "leave it out"});
+  expect_refused(two + "set: {start: {images: [out/earlier]}}\n", {"set.start.images", "leave it out"});
   expect_refused(two + "atlas: {max_level: 9}\nset: {cascade: {max_level: 5}}\n", {"atlas.max_level", "is 9"});
   expect_refused(two + "statistics: {groups: [a]}\n", {"two groups"});
   expect_refused(two + "statistics: {groups: [a, b]}\n", {"no subject is of the group 'a'"});
