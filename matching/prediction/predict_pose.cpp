@@ -3,7 +3,7 @@
 #include "alignment/pose/fit_pose.h"
 #include "alignment/rigid/find_rigid_pairs.h"
 #include "base/parallel.h"
-#include "matching/pairs/surface_samples.h"
+#include "matching/pairs/coverage.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
