@@ -183,6 +183,11 @@ void apply_to_volumes(const ApplyCommand& command) {
   if (has_fields(command) && command.like.empty() && !carries)
     throw_input_error("apply: say on which voxels: --like VOLUME");
   const Deformation<3> deformation = read_deformation<3>(command.deformation);
+  if (deformation.bend)
+    throw_input_error(
+        "{}: its run has bent the surface of the reference first, so that it is a map of the surface: it moves meshes "
+        "and points on it, no volumes and no fields; match again with --set align.bend=never",
+        command.deformation);
   std::vector<PendingFile> results;
   if (carries) results.push_back(carried(command, deformation));
   if (has_fields(command)) {

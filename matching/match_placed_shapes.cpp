@@ -62,10 +62,9 @@ class Matching {
         bounding_box(template_.surface.vertices).diagonal() /
         (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
     const auto as_it_lies = [](const Surface<Dim>& surface) { return surface; };
-    summary_.distance_before =
-        two_sided_distance<Dim>(reference_.surface, as_it_lies, template_distance_, observed_of_result(),
-                                std::ldexp(1.0, -options_.cascade.max_level), on_the_way)
-            .figures;
+    summary_.distance_before = two_sided_distance<Dim>(unbent_, as_it_lies, template_distance_, observed_of_result(),
+                                                       std::ldexp(1.0, -options_.cascade.max_level), on_the_way)
+                                   .figures;
     summary_.alignment = inputs_.prepared.alignment.summary;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
@@ -207,8 +206,7 @@ class Matching {
 
   void add_distortions(const Surface<Dim>& deformed) {
     const std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
-    const Surface<Dim> undeformed = measured_facets(reference_.surface, facets),
-                       after = measured_facets(deformed, facets);
+    const Surface<Dim> undeformed = measured_facets(unbent_, facets), after = measured_facets(deformed, facets);
     add_distortion(summary_, undeformed, after, template_distance_);
     places_.distorted = coordinates_of_template(most_distorted_place(undeformed, after));
   }
@@ -255,7 +253,7 @@ class Matching {
     add_landmark_distances(map);
     measuring.next(3);
     summary_.spin_difference =
-        spin_difference<Dim>(reference_.surface, deformed, template_.surface, observed_of_result(),
+        spin_difference<Dim>(unbent_, deformed, template_.surface, observed_of_result(),
                              summary_.reference.may_be_part() || summary_.template_shape.may_be_part());
     measuring.next();
     OriginalShape<Dim> moved =
@@ -276,7 +274,7 @@ class Matching {
             .template_shape = std::move(covered),
             .summary = {},
             .history = {},
-            .surfaces = {reference_.surface, template_.surface, std::move(deformed), std::move(distance),
+            .surfaces = {unbent_, template_.surface, std::move(deformed), std::move(distance),
                          std::move(template_distance)},
             .levels = std::move(levels_),
             .moving_fields = std::move(cascade.moving_fields),
@@ -301,6 +299,7 @@ class Matching {
 
   MatchInputs<Dim> inputs_;
   const Shape<Dim>&reference_ = inputs_.shapes.reference, &template_ = inputs_.shapes.template_shape;
+  const Surface<Dim>& unbent_ = inputs_.prepared.alignment.bend ? inputs_.prepared.unbent : reference_.surface;
   const ExperimentOptions options_;
   Recorder& recorder_;
   RunClock& clock_;

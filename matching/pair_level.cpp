@@ -88,7 +88,8 @@ std::vector<Vec<Dim>> PairLevel<Dim>::sampled(const Deformation<Dim>& map) const
 
 template <int Dim>
 bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b) {
-  return a.is_backward == b.is_backward && same_place(a.placement, b.placement) && same_place(a.pose, b.pose);
+  return a.is_backward == b.is_backward && (a.bend == nullptr) == (b.bend == nullptr) &&
+         same_place(a.placement, b.placement) && same_place(a.pose, b.pose);
 }
 
 template <int Dim>

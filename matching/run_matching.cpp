@@ -178,7 +178,7 @@ class Run {
     const int level = end.level.start.level;
     LevelPicture<Dim> p;
     p.draft = true;
-    p.reference = &end.shapes.reference.surface;
+    p.reference = end.prepared.alignment.bend ? &end.prepared.unbent : &end.shapes.reference.surface;
     p.template_shape = &end.shapes.template_shape.surface;
     p.deformed = &end.deformed;
     p.title = fmt::format("level {}", level);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <unordered_set>
 
 namespace shellmatch {
 
@@ -48,6 +49,21 @@ void EdgeGraph::lower_distances_up_to(Index goal, Index source, std::vector<doub
       distances[edges_[e].to] = next;
       open.emplace(next, edges_[e].to);
     }
+  }
+}
+
+void EdgeGraph::for_each_within(Index source, double reach, const std::function<void(Index, double)>& f) const {
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  std::unordered_set<Index> done;
+  for (open.emplace(0, source); !open.empty();) {
+    const auto [distance, v] = open.top();
+    open.pop();
+    if (!done.insert(v).second) continue;
+    f(v, distance);
+    for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e)
+      if (const double next = distance + edges_[e].length; next < reach && !done.contains(edges_[e].to))
+        open.emplace(next, edges_[e].to);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "geometry/surface/surface.h"
 
+#include <functional>
 #include <vector>
 
 namespace shellmatch {
@@ -21,6 +22,10 @@ class EdgeGraph {
   void for_each_neighbour(Index v, F&& f) const {
     for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e) f(edges_[e].to);
   }
+
+  /// Calls f(v, distance) for every vertex v with a path to it from `source` that is shorter than `reach`, the nearest
+  /// first.
+  void for_each_within(Index source, double reach, const std::function<void(Index, double)>& f) const;
 
   /// Length of the shortest path along edges from `source` to every vertex; infinite where there is none. Paths along
   /// edges are some per cent longer than those across facets.

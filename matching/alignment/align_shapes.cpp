@@ -66,6 +66,17 @@ StartSearch<Dim> search_by_pairs(const ShapePair<Dim>& shapes, const std::vector
   return result;
 }
 
+// In diagonals of the template: after a trial from the right pose the shapes are nearer.
+constexpr double not_reached = 0.01;
+
+// Several maps of limbs in another pose may be equally good, and all of them nearly right.
+bool pairs_stay(Outcome<3>& pairs, Outcome<3>& poses, const AlignOptions& options, const Trials<3>& trials) {
+  if (options.bend == BendMode::never || pairs.best().alignment.pairs.empty()) return false;
+  const Trial bent = trials.bent(pairs.best().alignment),
+              posed = trials(poses.best().is_usable() ? poses.best().alignment : Alignment<3>());
+  return posed.template_distance > not_reached || is_more_alike(bent, posed);
+}
+
 template <int Dim>
 Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                                const AlignOptions& options, Trials<Dim>& trials, AlignmentFindings<Dim>& findings) {
@@ -78,7 +89,7 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
       Outcome<3> poses = choice_among(findings.by_poses.next([&] { return search_poses(shapes, landmarks, options); }),
                                       options, trials);
       poses.search.fits_far_better_mirrored = outcome.search.fits_far_better_mirrored;
-      if (!poses.choice.is_doubtful) return poses;
+      if (!poses.choice.is_doubtful && !pairs_stay(outcome, poses, options, trials)) return poses;
     }
   }
   return outcome;

@@ -2,10 +2,12 @@
 /// \file
 /// What is found out about two shapes before the cascade: the pose of the reference, and pairs of points.
 
+#include "geometry/distance/surface_bend.h"
 #include "geometry/surface/placement.h"
 #include "matching/pairs/landmarks.h"
 #include "matching/result/match_summary.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +20,10 @@ inline std::string pair_name(std::size_t n_before) { return "pair " + std::to_st
 template <int Dim>
 struct Alignment {
   Similarity<Dim> pose;  ///< moves the reference onto the template, user's coordinates; the identity if it stays
-  std::vector<Landmark<Dim>> pairs;  ///< found automatically, in the user's coordinates, before the pose
+  /// Moves the reference's surface before that, and points of the reference with it; null where it stays. Of the
+  /// forward direction alone.
+  std::shared_ptr<const SurfaceBend<Dim>> bend = {};
+  std::vector<Landmark<Dim>> pairs;  ///< found automatically, in the user's coordinates, before bend and pose
   /// Without pairs, too, no part begins far from where it belongs.
   bool is_near = false;
   double spread = 1;  ///< of the pairs' errors over those of nearly isometric shapes; at least 1

@@ -37,7 +37,8 @@ class Choosing {
         clear_margin_(search.is_of_part ? clear_margin_of_parts : clear_margin),
         options_(options),
         try_(trials),
-        trials_(starts_.size()) {
+        trials_(starts_.size()),
+        bent_trials_(starts_.size()) {
     for (std::size_t i = 0; i < starts_.size(); ++i)
       if (starts_[i].is_usable()) usable_.push_back(i);
   }
@@ -66,7 +67,8 @@ class Choosing {
                     : !choice.is_doubtful &&
                           (best.is_identity || (Dim == 3 && choice.margin >= clear_margin) || landmarks_confirm(best));
     if (options_.mode == AlignMode::automatic && choice.is_usable && !is_clear)
-      choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie());
+      choice.as_it_lies = !is_clearly_better(trial(choice.index), try_.as_they_lie()) &&
+                          !(bends() && is_more_alike(bent_trial(choice.index), try_.as_they_lie()));
     return choice;
   }
 
@@ -122,20 +124,24 @@ class Choosing {
             std::min(choice.margin, trials_[i] ? merit[i] / merit[best] : starts_[i].score / starts_[best].score);
   }
 
-  // Where descriptors on the surfaces leave it open, the likeness of what corresponds after a trial decides.
+  // Where descriptors on the surfaces leave it open, it counts as well how nearly isometric a map is, and then the
+  // likeness of what corresponds after a trial decides.
   void by_likeness(StartChoice& choice) {
     const Start<Dim>& first = starts_[choice.index];
     std::vector<std::size_t> close;
     for (const std::size_t i : usable_)
-      if (i != choice.index && starts_[i].order < clear_margin_ * first.order &&
-          starts_[i].is_mirrored == first.is_mirrored)
+      if (i == choice.index ||
+          (starts_[i].order < clear_margin_ * first.order && starts_[i].is_mirrored == first.is_mirrored))
         close.push_back(i);
-    if (close.empty()) return;
+    if (close.size() == 1) return;
+    if (!is_of_part_)
+      choice.index = *std::ranges::min_element(close, {}, [&](auto i) { return starts_[i].order * starts_[i].score; });
+    std::erase(close, choice.index);
     choice.n_tried = 1 + close.size();
     Activity trying(trials_activity, choice.n_tried);
     const auto difference = [&](std::size_t i) {
       trying.next();
-      return trial(i).spin_difference.value_or(std::numeric_limits<double>::infinity());
+      return (bends() ? bent_trial(i) : trial(i)).spin_difference.value_or(std::numeric_limits<double>::infinity());
     };
     double least = difference(choice.index) / clearly_more_alike;
     for (const std::size_t i : close) {
@@ -147,14 +153,19 @@ class Choosing {
 
   static bool is_clearly_better(const Trial& chosen, const Trial& none) {
     return clearly_better * chosen.energy < none.energy ||
-           clearly_better * chosen.template_distance < none.template_distance ||
-           (chosen.spin_difference && none.spin_difference &&
-            clearly_more_alike * *chosen.spin_difference < *none.spin_difference);
+           clearly_better * chosen.template_distance < none.template_distance || is_more_alike(chosen, none);
   }
+
+  bool bends() const { return Dim == 3 && options_.bend != BendMode::never; }
 
   const Trial& trial(std::size_t i) {
     if (!trials_[i]) trials_[i] = try_(starts_[i].alignment);
     return *trials_[i];
+  }
+
+  const Trial& bent_trial(std::size_t i) {
+    if (!bent_trials_[i]) bent_trials_[i] = try_.bent(starts_[i].alignment);
+    return *bent_trials_[i];
   }
 
   const std::vector<Start<Dim>>& starts_;
@@ -162,11 +173,17 @@ class Choosing {
   const double clear_margin_;
   const AlignOptions& options_;
   Trials<Dim>& try_;
-  std::vector<std::optional<Trial>> trials_;
+  std::vector<std::optional<Trial>> trials_, bent_trials_;
   std::vector<std::size_t> usable_;
 };
 
 }  // namespace
+
+// A bent surface lies near the template whatever the map, and needs little energy: its likeness alone tells.
+bool is_more_alike(const Trial& one, const Trial& other) {
+  return one.spin_difference && other.spin_difference &&
+         clearly_more_alike * *one.spin_difference < *other.spin_difference;
+}
 
 template <int Dim>
 StartChoice choose_start(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials) {

@@ -71,6 +71,9 @@ struct StartChoice {
   bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
 };
 
+/// Whether what corresponds looks more alike by a tenth (Trial::spin_difference).
+bool is_more_alike(const Trial& one, const Trial& other);
+
 /// The first usable start, if landmarks all over the template agree with any the first of those; of surfaces whose
 /// margin is not clear, tries those close to it, of which one takes its place where what corresponds looks more alike
 /// by a tenth (Trial::spin_difference). Of outlines, tries the first and those whose scores are less than

@@ -38,8 +38,11 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   std::vector<PairSet<Dim>> sets;
   const auto add = [&](const std::string& name, const std::vector<Landmark<Dim>>& points,
                        const LandmarkOptions& weights) {
-    if (!points.empty())
-      sets.push_back(landmark_pairs(name, points, weights, alignment.pose, placement, reference, template_shape));
+    if (points.empty()) return;
+    std::vector<Landmark<Dim>> bent = points;
+    if (alignment.bend)
+      for (Landmark<Dim>& point : bent) point.on_reference = (*alignment.bend)(point.on_reference);
+    sets.push_back(landmark_pairs(name, bent, weights, alignment.pose, placement, reference, template_shape));
   };
   LandmarkOptions known = options.landmarks;
   // Noisy landmarks give way to pairs that are more exact, and only to such.

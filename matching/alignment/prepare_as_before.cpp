@@ -1,5 +1,7 @@
 #include "matching/alignment/prepare_as_before.h"
 
+#include <utility>
+
 namespace shellmatch {
 
 namespace {
@@ -23,14 +25,23 @@ std::optional<PreparedPair<Dim>> prepare_as_before(ShapePair<Dim>& shapes, const
   Shape<Dim>&moved = frame.is_backward ? shapes.template_shape : shapes.reference,
   &other = frame.is_backward ? shapes.reference : shapes.template_shape;
   if (frame.space != shapes.template_shape.original.space) return std::nullopt;
-  if (!lies_inside(moved.surface, frame.pose, frame.placement, clearance) ||
+  Surface<Dim> bent = moved.surface;
+  if (frame.bend) frame.bend->apply(bent);
+  if (!lies_inside(bent, frame.pose, frame.placement, clearance) ||
       !lies_inside<Dim>(other.surface, {}, frame.placement, clearance))
     return std::nullopt;
+  PreparedPair<Dim> pair;
+  if (frame.bend) {
+    pair.unbent = std::exchange(moved.surface, std::move(bent));
+    for (Surface<Dim>* surface : {&moved.evidence.observed, &moved.evidence.unobserved}) frame.bend->apply(*surface);
+    apply_similarity(frame.pose, pair.unbent);
+    apply_similarity(frame.placement, pair.unbent);
+  }
   if (!frame.pose.is_identity()) apply_similarity(frame.pose, moved);
   for (Shape<Dim>* shape : {&moved, &other}) apply_similarity(frame.placement, *shape);
-  PreparedPair<Dim> pair;
   if (frame.is_backward) pair.direction = DirectionSummary{.backward = true};
   pair.alignment.pose = frame.pose;
+  pair.alignment.bend = frame.bend;
   pair.placement = frame.placement;
   pair.space = frame.space;
   return pair;

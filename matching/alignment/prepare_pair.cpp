@@ -36,10 +36,10 @@ std::string reached(const DirectionTrial& trial) {
              : "unknown, as it cannot be tried";
 }
 
-/// Tries both directions on coarse levels; backward is chosen where it ends clearly better.
+/// Tries both directions on coarse levels; backward is chosen where it ends clearly better. Returns how that ends.
 template <int Dim>
-void choose_direction(const Trials<Dim>& trials, const Alignment<Dim>& alignment, DirectionSummary& direction,
-                      Observer& observer) {
+DirectionTrial choose_direction(const Trials<Dim>& trials, const Alignment<Dim>& alignment, DirectionSummary& direction,
+                                Observer& observer) {
   Activity trying(trials_activity, 2);
   trying.next();
   const DirectionTrial forward = trials.of_direction(alignment, Carried::reference);
@@ -59,6 +59,28 @@ void choose_direction(const Trials<Dim>& trials, const Alignment<Dim>& alignment
                   direction.backward ? "the template is deformed, and the inverse of that map carries the reference"
                                      : "the reference is deformed",
                   reached(direction.backward ? backward : forward), reached(direction.backward ? forward : backward)));
+  return direction.backward ? backward : forward;
+}
+
+// Where maps of space keep up, few pairs are missed, and those are wrong ones.
+constexpr double many_missed = 0.005;
+
+/// Bends the reference where no map of space reaches the pairs and one from the bent surface does.
+void bend_if_needed(const Trials<3>& trials, const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+                    const ExperimentOptions& options, const DirectionTrial& reached, PreparedPair<3>& pair,
+                    Observer& observer) {
+  if (options.align.bend == BendMode::never || pair.alignment.pairs.empty() || shapes.one_is_part()) return;
+  if (!(reached.missed > many_missed)) return;
+  Alignment<3> bent = bent_start(pair.alignment, shapes.reference.surface, landmarks);
+  const DirectionTrial trial = trials.of_direction(bent, Carried::reference);
+  if (!(trial.missed < reached.missed)) return;
+  observer.note(fmt::format(
+      "bend: as maps of space miss {:.2g} % of the pairs, the reference's surface is bent by them first: the "
+      "map is one of the surface (--set align.bend=never keeps it one of space)",
+      100 * reached.missed));
+  pair.alignment = std::move(bent);
+  pair.alignment.summary->bent = true;
+  pair.direction->backward = false;
 }
 
 /// Whether directions may end differently and one of them rightly: something leads points to where they belong, or a
@@ -86,15 +108,22 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   const MatchDirection wanted = options.align.direction;
   if (is_aligned || wanted == MatchDirection::backward)
     result.direction.emplace().backward = wanted == MatchDirection::backward;
-  if (wanted == MatchDirection::automatic && is_aligned && may_differ(shapes, result.alignment, landmarks))
-    choose_direction(trials, result.alignment, *result.direction, observer);
+  if (wanted == MatchDirection::automatic && is_aligned && may_differ(shapes, result.alignment, landmarks)) {
+    const DirectionTrial reached = choose_direction(trials, result.alignment, *result.direction, observer);
+    if constexpr (Dim == 3) bend_if_needed(trials, shapes, landmarks, options, reached, result, observer);
+  }
   if (result.is_backward()) {
     result.alignment = inverse(std::move(result.alignment));
     exchange(shapes);
   }
   if (is_aligned)
     observer.note("pose: " + pose_text(result.alignment.pose, result.is_backward() ? "template" : "reference"));
-  result.placement = shapes.place(options, result.alignment.pose);
+  if (result.alignment.bend) result.unbent = shapes.reference.surface;
+  result.placement = shapes.place(options, result.alignment.pose, result.alignment.bend.get());
+  if (result.alignment.bend) {
+    apply_similarity(result.alignment.pose, result.unbent);
+    apply_similarity(result.placement, result.unbent);
+  }
   if (result.is_backward()) exchange(shapes);
   return result;
 }

@@ -15,10 +15,11 @@ struct PreparedPair {
   std::optional<DirectionSummary> direction;  ///< none where nothing had to be found out
   Alignment<Dim> alignment;                   ///< its pose has moved the shape that is deformed
   Similarity<Dim> placement;                  ///< has moved both after that
+  Surface<Dim> unbent;                        ///< the reference's surface moved by all but the bend; empty without
   Space space = Space::unsaid;                ///< the frame of the user's coordinates, where the shapes name it
 
   bool is_backward() const { return direction && direction->backward; }
-  MapFrame<Dim> frame() const { return {placement, alignment.pose, is_backward(), space}; }
+  MapFrame<Dim> frame() const { return {placement, alignment.pose, is_backward(), space, alignment.bend}; }
 };
 
 /// Chooses the direction as options.align.direction asks for, aligns the shape that is deformed with the other one, and

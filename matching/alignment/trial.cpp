@@ -1,9 +1,11 @@
 #include "matching/alignment/trial.h"
 
+#include "alignment/bend/bend_by_pairs.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/repair/repair_steps.h"
+#include "grid/fields/interpolation.h"
 #include "matching/alignment/known_pairs.h"
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"
@@ -14,6 +16,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace shellmatch {
 
@@ -76,7 +80,37 @@ Shape<Dim> tried_shape(const Shape<Dim>& shape) {
   return tried;
 }
 
+// In roots of the area (lengths) of the shape that is not deformed.
+constexpr double far = 0.05;
+
+template <int Dim>
+double missed_share(const Alignment<Dim>& start, const CascadeResult<Dim>& end, const Similarity<Dim>& placement,
+                    const Surface<Dim>& fixed) {
+  const MapFrame<Dim> frame{placement, start.pose, false, Space::unsaid, start.bend};
+  const double most = far * std::pow(surface_measure(fixed), 1.0 / (Dim - 1));
+  double sum = 0, missed = 0;
+  for (const Landmark<Dim>& pair : start.pairs) {
+    sum += pair.weight;
+    const Vec<Dim> image = evaluate(end.grid, end.phi, frame.to_unit_domain(pair.on_reference));
+    if ((image - placement(pair.on_template)).norm() > most) missed += pair.weight;
+  }
+  return sum > 0 ? missed / sum : 0;
+}
+
 }  // namespace
+
+Alignment<3> bent_start(Alignment<3> alignment, const Surface<3>& surface, const std::vector<Landmark<3>>& landmarks) {
+  const Similarity<3>& pose = alignment.pose;
+  Surface<3> posed = surface;
+  for (Vec<3>& x : posed.vertices) x = pose(x);
+  std::vector<CorrespondingPoints> pairs;
+  for (const auto* list : {&std::as_const(alignment.pairs), &landmarks})
+    for (const Landmark<3>& l : *list) pairs.push_back({pose(l.on_reference), l.on_template, l.weight});
+  std::vector<Vec<3>> bent = bend_by_pairs(posed, pairs);
+  for (Vec<3>& x : bent) x = pose.inverse(x);
+  alignment.bend = std::make_shared<const SurfaceBend<3>>(surface, std::move(bent));
+  return alignment;
+}
 
 template <int Dim>
 const ShapePair<Dim>& Trials<Dim>::tried_shapes() const {
@@ -91,6 +125,17 @@ const ShapePair<Dim>& Trials<Dim>::tried_shapes() const {
   return *tried_;
 }
 
+// The surface of d1 before the bend.
+template <int Dim>
+Surface<Dim> Trials<Dim>::unbent(const SignedDistance<Dim>& d1, const Alignment<Dim>& start,
+                                 const Similarity<Dim>& placement) const {
+  if (!start.bend) return d1.surface();
+  Surface<Dim> surface = tried_shapes().reference.surface;
+  apply_similarity(start.pose, surface);
+  apply_similarity(placement, surface);
+  return surface;
+}
+
 template <int Dim>
 Trials<Dim> Trials<Dim>::of_exchanged_shapes() const {
   Trials others = *this;
@@ -102,8 +147,8 @@ Trials<Dim> Trials<Dim>::of_exchanged_shapes() const {
   return others;
 }
 
-// Calls measure(result of a cascade with these options, M1, M2, what is known of both), in the unit domain, unless this
-// start is none.
+// Calls measure(result of a cascade with these options, M1, M2, what is known of both, placement), in the unit domain,
+// unless this start is none.
 template <int Dim>
 template <class Measure>
 void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& options, const Measure& measure) const {
@@ -116,7 +161,7 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
   Activity activity(trials_activity, steps_before + steps_of_level * static_cast<std::size_t>(n_levels) + steps_after);
   activity.next(steps_before);
   try {
-    const Similarity<Dim> placement = placed.place(options, start.pose);
+    const Similarity<Dim> placement = placed.place(options, start.pose, start.bend.get());
     const SignedDistance<Dim> d1(placed.reference.surface), d2(placed.template_shape.surface);
     const ObservedPair<Dim> observed = observed_pair(placed.reference, placed.template_shape);
     const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>(landmarks_, start, trial, placement, d1, d2);
@@ -124,7 +169,7 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
     PhaseSeconds seconds;
     const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, observed);
     activity.next(steps_after);
-    if (std::isfinite(end.levels.back().minimised.sum())) measure(end, d1, d2, observed);
+    if (std::isfinite(end.levels.back().minimised.sum())) measure(end, d1, d2, observed, placement);
   } catch (const InputError&) {  // no place in the domain, or no finite energy
   }
 }
@@ -133,6 +178,13 @@ template <int Dim>
 Trial Trials<Dim>::operator()(const Alignment<Dim>& start) const {
   const auto compute = [&] { return try_start(start); };
   return findings_ != nullptr ? findings_->starts.next(compute) : compute();
+}
+
+template <int Dim>
+Trial Trials<Dim>::bent(const Alignment<Dim>& start) const {
+  if constexpr (Dim == 3)
+    if (!start.pairs.empty()) return (*this)(bent_start(start, tried_shapes().reference.surface, landmarks_));
+  return (*this)(start);
 }
 
 template <int Dim>
@@ -147,15 +199,15 @@ Trial Trials<Dim>::try_start(const Alignment<Dim>& start) const {
   // All in the same band: energies with and without pairs are compared.
   run(start, options_,
       [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2,
-          const ObservedPair<Dim>& observed) {
+          const ObservedPair<Dim>& observed, const Similarity<Dim>& placement) {
         const TermValues& terms = end.levels.back().minimised;
         result.with_pairs = terms.sum();
         const std::vector<std::string>& names = end.levels.back().term_names;
         const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
         result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
         const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
-        result.spin_difference = spin_difference<Dim>(d1.surface(), deform(d1.surface()), d2.surface(), observed,
-                                                      tried_shapes().one_is_part());
+        result.spin_difference = spin_difference<Dim>(unbent(d1, start, placement), deform(d1.surface()), d2.surface(),
+                                                      observed, tried_shapes().one_is_part());
         result.template_distance =
             two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), n_measured)
                 .figures.template_to_deformed.mean;
@@ -168,7 +220,7 @@ DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried c
   DirectionTrial result;
   run(start, cascade_options(options_, start),
       [&](const CascadeResult<Dim>& end, const SignedDistance<Dim>& d1, const SignedDistance<Dim>& d2,
-          const ObservedPair<Dim>& observed) {
+          const ObservedPair<Dim>& observed, const Similarity<Dim>& placement) {
         const bool forward = carried == Carried::reference;
         std::optional<InverseCarrier<Dim>> inverse;
         if (!forward) inverse.emplace(d1.surface(), end.grid, end.phi);
@@ -188,6 +240,10 @@ DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried c
               2 * (deformed_is_part == forward ? figures.deformed_to_template.mean : figures.template_to_deformed.mean);
         }
         result.energy = end.levels.back().minimised.sum();
+        result.missed = missed_share(start, end, placement, d2.surface());
+        result.spin_difference =
+            spin_difference<Dim>(forward ? unbent(d1, start, placement) : d2.surface(), deform(carried_shape.surface()),
+                                 other.surface(), forward ? observed : exchanged(observed), tried.one_is_part());
       });
   return result;
 }

@@ -3,6 +3,7 @@
 /// Trials of starts: how much energy the coarsest levels of a cascade need from there, and how well they cover the
 /// template.
 
+#include "geometry/distance/signed_distance.h"
 #include "matching/alignment/alignment.h"
 #include "matching/alignment/kept_results.h"
 #include "matching/experiment/options.h"
@@ -30,6 +31,8 @@ struct DirectionTrial {
   double distance = std::numeric_limits<double>::infinity();  ///< sum of the mean distances both ways, diagonals of the
                                                               ///< shape that is not carried
   double energy = std::numeric_limits<double>::infinity();    ///< with all terms
+  double missed = 1;  ///< share of the pairs' weight that ends far from where it belongs; 0 without pairs
+  std::optional<double> spin_difference = {};  ///< matching/result/spin_difference.h
 };
 
 /// Outcomes of trials, kept.
@@ -44,6 +47,10 @@ enum class Carried { reference, template_shape };
 
 /// What a terminal shows meanwhile.
 inline constexpr const char* trials_activity = "starts are tried";
+
+/// The alignment with the bend of the reference's surface that its pairs and the landmarks tell, as rigid as possible.
+/// \param surface of the reference, user's coordinates \pre there are pairs
+Alignment<3> bent_start(Alignment<3> alignment, const Surface<3>& surface, const std::vector<Landmark<3>>& landmarks);
 
 /// Tries starts of one matching. Everything given must outlive this object. What trials ask of coarse grids they ask of
 /// surfaces with at most 200 000 triangles: larger ones are simplified once.
@@ -63,6 +70,9 @@ class Trials {
 
   /// Landmarks have their whole weight, whatever start.landmark_trust.
   Trial operator()(const Alignment<Dim>& start) const;
+  /// From the bent reference (bent_start()): the map of a start that no map of space follows is seen
+  /// from there. Without pairs the same as above.
+  Trial bent(const Alignment<Dim>& start) const;
   /// As the run itself would begin, in its own band: energies compare only where both starts have pairs, or neither
   /// has.
   DirectionTrial of_direction(const Alignment<Dim>& start, Carried carried) const;
@@ -72,6 +82,8 @@ class Trials {
  private:
   Trial try_start(const Alignment<Dim>& start) const;
   DirectionTrial try_direction(const Alignment<Dim>& start, Carried carried) const;
+  Surface<Dim> unbent(const SignedDistance<Dim>& d1, const Alignment<Dim>& start,
+                      const Similarity<Dim>& placement) const;
   template <class Measure>
   void run(const Alignment<Dim>& start, const ExperimentOptions& options, const Measure& measure) const;
 

@@ -27,9 +27,18 @@ struct EnumNames<MatchDirection> {
                                                                           {MatchDirection::automatic, "auto"}};
 };
 
+/// Whether the reference's surface may be bent before the cascade.
+enum class BendMode { never, automatic };
+template <>
+struct EnumNames<BendMode> {
+  static constexpr std::pair<BendMode, std::string_view> names[] = {{BendMode::never, "never"},
+                                                                    {BendMode::automatic, "auto"}};
+};
+
 struct AlignOptions {
   AlignMode mode = AlignMode::automatic;
   MatchDirection direction = MatchDirection::automatic;
+  BendMode bend = BendMode::automatic;
   double weight = 10;
   double tolerance = 0.01;
   double coarse_sigma_cells = 1;
@@ -49,6 +58,10 @@ struct AlignOptions {
           {.meaning = "forward: the reference is deformed; backward: the template is, and the result is the inverse of "
                       "that map; auto: where pairs are used both are tried on coarse levels, and backward is taken "
                       "where it ends clearly better (docs/alignment.md)"});
+    visit("bend", self.bend,
+          {.meaning = "auto: where with align.direction: auto neither direction reaches the pairs, the reference's "
+                      "surface is bent by them first, as rigidly as possible, and the map is one of the surface, not "
+                      "of space (docs/alignment.md)"});
     visit(
         "weight", self.weight,
         {.min = 0,

@@ -2,6 +2,7 @@
 /// \file
 /// The two shapes of an experiment as they are read, and their common placement in the unit domain.
 
+#include "geometry/distance/surface_bend.h"
 #include "geometry/surface/placement.h"
 #include "geometry/io/read_shape.h"
 #include "matching/experiment/options.h"
@@ -26,9 +27,11 @@ struct ShapePair {
   /// Had so much of a shape to be made up that it may be a part of the other? Spectra are those of whole surfaces.
   bool one_is_part() const { return std::max(reference.invented_share, template_shape.invented_share) > least_of_part; }
 
-  /// Moves the reference's surface by `pose` and then both into the unit domain according to `options.input`. Returns
-  /// the similarity that does the latter. \throws InputError for placement as-is of shapes that reach beyond the domain
-  Similarity<Dim> place(const ExperimentOptions& options, const Similarity<Dim>& pose = {});
+  /// Moves the reference's surface by the bend, if there is one, by `pose`, and then both into the unit domain
+  /// according to `options.input`. Returns the similarity that does the latter. \throws InputError for placement as-is
+  /// of shapes that reach beyond the domain
+  Similarity<Dim> place(const ExperimentOptions& options, const Similarity<Dim>& pose = {},
+                        const SurfaceBend<Dim>* bend = nullptr);
 };
 
 using AnyShapePair = std::variant<ShapePair<2>, ShapePair<3>>;

@@ -3,12 +3,14 @@
 /// The result of a matching: a volumetric map phi on its grid, the similarity between the user's coordinates and the
 /// unit domain, and the pose that was taken out before.
 
+#include "geometry/distance/surface_bend.h"
 #include "geometry/surface/placement.h"
 #include "geometry/surface/space.h"
 #include "geometry/surface/surface.h"
 #include "grid/inverse/inverse_map.h"
 #include "grid/octree/octree.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,8 +25,11 @@ struct MapFrame {
   /// reference (PointMap).
   bool is_backward = false;
   Space space = Space::unsaid;  ///< the frame of the user's coordinates, where the shapes named it
+  /// Moves points of the reference before the pose; user's coordinates. With it the map is one of the reference's
+  /// surface alone, and never backward. Null: there is none.
+  std::shared_ptr<const SurfaceBend<Dim>> bend = {};
 
-  Vec<Dim> to_unit_domain(const Vec<Dim>& x) const { return placement(pose(x)); }
+  Vec<Dim> to_unit_domain(const Vec<Dim>& x) const { return placement(pose(bend ? (*bend)(x) : x)); }
 
   /// A point of the template moved by the inverse of the pose of the reference onto the template: from where the
   /// template lies to where the reference does.
@@ -65,7 +70,9 @@ class InverseDeformation {
   /// The x with map.apply(x) = y, both in the user's coordinates; none as InverseMap says.
   std::optional<Vec<Dim>> operator()(const Vec<Dim>& y) const {
     const std::optional<Vec<Dim>> x = inverse_(map_->placement(y));
-    return x ? std::optional<Vec<Dim>>(map_->pose.inverse(map_->placement.inverse(*x))) : std::nullopt;
+    if (!x) return std::nullopt;
+    const Vec<Dim> undeformed = map_->pose.inverse(map_->placement.inverse(*x));
+    return map_->bend ? map_->bend->inverse(undeformed) : undeformed;
   }
 
  private:

@@ -29,11 +29,11 @@ struct CellField {
 /// Writes cells (VTK_PIXEL or VTK_VOXEL) and nodes in the unit domain; the point data phi, displacement and the given
 /// fields; the cell data level and the given fields; the field data dimension, placement_scale, placement_offset
 /// (user's coordinates to unit domain), where there is a pose pose_scale, pose_rotation (row by row) and pose_offset,
-/// is_backward with the value 1 where it holds, space where the shapes name a frame (geometry/surface/space.h), and
-/// program_version. In the plane the third coordinate is 0, and fields of two
-/// components get a third, 0, because ParaView expects vectors of three. A comment with a checksum ends the file. \pre
-/// all fields have the grid's size
-/// \throws EnvironmentError if the file cannot be written
+/// is_backward with the value 1 where it holds, where the reference was bent bend_sizes, bend_vertices (before and
+/// after) and bend_facets, space where the shapes name a frame (geometry/surface/space.h), and program_version. In the
+/// plane the third coordinate is 0, and fields of two components get a third, 0, because ParaView expects vectors of
+/// three. A comment with a checksum ends the file. \pre all fields have the grid's size \throws EnvironmentError if the
+/// file cannot be written
 template <int Dim>
 void write_deformation(const std::string& path, const Deformation<Dim>& deformation,
                        const std::vector<NodalField>& nodal_fields = {},

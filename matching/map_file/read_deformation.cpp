@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -142,6 +144,34 @@ Similarity<Dim> pose_of(const MapFile& file) {
   return pose;
 }
 
+// Null where the file has none.
+template <int Dim>
+std::shared_ptr<const SurfaceBend<Dim>> bend_of(const MapFile& file) {
+  if (Dim == 2 || !file.has_fact("bend_sizes")) return nullptr;
+  const std::vector<double> sizes = file.facts("bend_sizes", 2);
+  for (const double size : sizes)
+    if (!(size >= 1 && size <= std::numeric_limits<Index>::max() && size == std::floor(size)))
+      file.damaged("bend_sizes");
+  const auto n = static_cast<std::size_t>(sizes[0]), n_facets = static_cast<std::size_t>(sizes[1]);
+  const auto vertices = file.values("FieldData", "bend_vertices", ValueType::float64, 2 * Dim, n);
+  const auto corners = file.values("FieldData", "bend_facets", ValueType::int32, Dim, n_facets);
+  Surface<Dim> surface;
+  std::vector<Vec<Dim>> bent;
+  for (std::size_t v = 0; v < n; ++v) {
+    surface.vertices.push_back(Eigen::Map<const Vec<Dim>>(&vertices[2 * Dim * v]));
+    bent.push_back(Eigen::Map<const Vec<Dim>>(&vertices[2 * Dim * v + Dim]));
+  }
+  for (std::size_t f = 0; f < n_facets; ++f) {
+    auto& facet = surface.facets.emplace_back();
+    for (std::size_t k = 0; k < Dim; ++k) {
+      const double corner = corners[Dim * f + k];
+      if (corner < 0 || corner >= sizes[0]) file.damaged("bend_facets");
+      facet[k] = static_cast<Index>(corner);
+    }
+  }
+  return std::make_shared<const SurfaceBend<Dim>>(std::move(surface), std::move(bent));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -185,6 +215,8 @@ Deformation<Dim> parse_deformation(const std::string& path, const std::string& b
   result.pose = pose;
   result.is_backward = is_backward;
   result.space = static_cast<Space>(static_cast<int>(space));
+  result.bend = bend_of<Dim>(file);
+  if (result.bend && is_backward) file.damaged("a bend of a map that is backward");
   return result;
 }
 

@@ -136,7 +136,7 @@ void add_cells(const Octree<Dim>& grid, vtkUnstructuredGrid& data) {
 
 template <int Dim>
 void add_facts(const MapFrame<Dim>& frame, vtkFieldData& facts) {
-  const auto& [placement, pose, is_backward, space] = frame;
+  const auto& [placement, pose, is_backward, space, bend] = frame;
   vtkNew<vtkIntArray> dimension;
   dimension->SetName("dimension");
   dimension->InsertNextValue(Dim);
@@ -156,6 +156,15 @@ void add_facts(const MapFrame<Dim>& frame, vtkFieldData& facts) {
   }
   if (is_backward) add("is_backward", std::array{1.0});
   if (space != Space::unsaid) add("space", std::array{static_cast<double>(space)});
+  if (bend) {
+    const std::vector<Vec<Dim>>&from = bend->surface().vertices, &to = bend->bent().vertices;
+    const auto& facets = bend->surface().facets;
+    add("bend_sizes", std::array{static_cast<double>(from.size()), static_cast<double>(facets.size())});
+    facts.AddArray(vector_array<vtkDoubleArray>("bend_vertices", 2 * Dim, static_cast<Index>(from.size()),
+                                                [&](Index v, int k) { return k < Dim ? from[v][k] : to[v][k - Dim]; }));
+    facts.AddArray(vector_array<vtkIntArray>("bend_facets", Dim, static_cast<Index>(facets.size()),
+                                             [&](Index f, int k) { return facets[f][static_cast<std::size_t>(k)]; }));
+  }
   vtkNew<vtkStringArray> version;
   version->SetName("program_version");
   version->InsertNextValue(program_version());

@@ -134,6 +134,7 @@ static void describe(S& s, Member&& member) {
   member("pairs", s.n_pairs);
   member("doubtful", s.doubtful);
   member("as_it_lies", s.as_it_lies);
+  member("bent", s.bent);
   member("fits_mirrored", s.fits_mirrored);
   member("landmark_distance", s.landmark_distance);
   member("landmark_trust", s.landmark_trust);

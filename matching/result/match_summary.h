@@ -94,6 +94,7 @@ struct AlignmentSummary {
   int n_pairs = 0;          ///< used in the energy or for the pose
   bool doubtful = false;    ///< not clearly the best map, or far from isometric
   bool as_it_lies = false;  ///< nothing is used then: not clearly better than the shapes as they lie
+  bool bent = false;        ///< the reference's surface was bent first: the map is one of the surface
   bool fits_mirrored =
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
   std::optional<int> n_images = {};  ///< earlier results that it was predicted from, without a search

@@ -30,9 +30,19 @@ py::array_t<double> matrix_of(const Mat<4>& m) {
   return array;
 }
 
+template <int Dim>
+void refuse_bent(const Deformation<Dim>& map, const char* what) {
+  if (map.bend)
+    throw_input_error(
+        "{}: this run has bent the surface of the reference first, and its map is one of the surface, not of space; "
+        "match again with align.bend: never",
+        what);
+}
+
 // The pose and the placement as one matrix, padded where the map is one of the plane.
 template <int Dim>
 Mat<4> to_unit_domain(const Deformation<Dim>& map) {
+  refuse_bent(map, "to_unit_domain");
   Mat<4> m = Mat<4>::Identity();
   const Vec<Dim> origin = map.to_unit_domain(Vec<Dim>::Zero());
   m.topLeftCorner<Dim, Dim>() = map.placement.scale * map.pose.scale * map.placement.rotation * map.pose.rotation;
@@ -64,6 +74,7 @@ py::array_t<double> Map::jacobian(const py::array& points) const {
       [&]<int Dim>(const std::shared_ptr<MapOf<Dim>>& map) {
         const std::vector<Vec<Dim>> from = points_of<Dim>(Doubles(points), "points");
         std::vector<double> to(from.size() * Dim * Dim);
+        refuse_bent(map->deformation(), "jacobian");
         compute([&] {
           const PointMap<Dim>& carries = map->toward(Toward::template_shape);
           parallel_for(from.size(), [&](std::size_t i) {

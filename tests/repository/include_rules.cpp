@@ -31,7 +31,7 @@ const std::vector<Adapter>& adapter_table() {
       {"Ceres' gradient checker",
        {"ceres/gradient_checker.h", "ceres/dynamic_numeric_diff_cost_function.h"},
        {"matching/derivative_check/ceres_checker.cpp"}},
-      {"Ceres", {"ceres/", "glog/"}, {"solvers/libraries/ceres_*.cpp"}},
+      {"Ceres", {"ceres/", "glog/"}, {"solvers/libraries/ceres_*.cpp", "alignment/bend/ceres_*.cpp"}},
       {"CHOLMOD", {"cholmod"}, {"solvers/metric/cholmod_*.cpp"}},
       {"CGAL", {"CGAL/"}, {"geometry/*/cgal_*.cpp", "geometry/*/cgal_*.h", "tests/bench/own_code/cgal_*.cpp"}},
       {"Boost", {"boost/"}, {"grid/inverse/boost_*.cpp"}},

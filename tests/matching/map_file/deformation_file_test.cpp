@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <csignal>
+#include <memory>
 #include <random>
 
 namespace shellmatch {
@@ -99,6 +100,27 @@ void expect_exact_round_trip() {
 }
 TEST(DeformationFileTest, RoundTripIsExactInThePlane) { expect_exact_round_trip<2>(); }
 TEST(DeformationFileTest, RoundTripIsExactInSpace) { expect_exact_round_trip<3>(); }
+
+TEST(DeformationFileTest, TheBendOfTheReferenceComesBack) {
+  const TemporaryFolder tmp;
+  Deformation<3> d = some_deformation<3>();
+  const Surface<3> corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1 / 3.0}},
+                          {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  d.bend =
+      std::make_shared<const SurfaceBend<3>>(corner, std::vector<Vec<3>>{{5, 0, 0}, {5, 1, 0}, {4, 0, 0}, {5, 0, 0.1}});
+  write_deformation(tmp / "bent.vtu", d);
+  const Deformation<3> read = read_deformation<3>(tmp / "bent.vtu");
+  ASSERT_TRUE(read.bend);
+  EXPECT_EQ(read.bend->surface().vertices, corner.vertices);
+  EXPECT_EQ(read.bend->surface().facets, corner.facets);
+  EXPECT_EQ(read.bend->bent().vertices, d.bend->bent().vertices);
+  const Vec<3> x(0.2, 0.1, -0.05);
+  EXPECT_EQ(read.apply(x), d.apply(x));
+  d.is_backward = true;
+  write_deformation(tmp / "wrong.vtu", d);
+  EXPECT_NE(message_of<InputError>([&] { read_deformation<3>(tmp / "wrong.vtu"); }).find("backward"),
+            std::string::npos);
+}
 
 TEST(DeformationFileTest, UniformGridsAndSingleCellsComeBack) {
   const TemporaryFolder tmp;

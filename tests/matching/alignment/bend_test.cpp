@@ -1,0 +1,126 @@
+// Tongs whose ends nearly touch, onto open ones: no map of space on coarse cells sets them apart.
+#include "geometry/repair/make_shape.h"
+#include "matching/alignment/prepare_pair.h"
+#include "matching/level/deformation.h"
+#include "matching/match_placed_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace shellmatch {
+namespace {
+
+constexpr double tube_length = 6, tube_radius = 0.15;
+constexpr Index n_rings = 60, n_around = 16;
+
+/// A tube whose middle line is part of a circle of this curvature, or straight.
+Shape<3> tube(double curvature) {
+  const auto middle = [&](double s) {
+    return curvature > 0 ? Vec<3>(std::sin(curvature * s) / curvature, (1 - std::cos(curvature * s)) / curvature, 0)
+                         : Vec<3>(s, 0, 0);
+  };
+  const auto out = [&](double s) { return Vec<3>(std::sin(curvature * s), -std::cos(curvature * s), 0); };
+  OriginalShape<3> shape;
+  for (Index i = 0; i < n_rings; ++i) {
+    const double s = tube_length * (i / (n_rings - 1.0) - 0.5);
+    for (Index k = 0; k < n_around; ++k) {
+      const double angle = 2 * std::numbers::pi * k / n_around;
+      shape.vertices.push_back(middle(s) +
+                               tube_radius * (std::cos(angle) * out(s) + std::sin(angle) * Vec<3>::UnitZ()));
+    }
+  }
+  for (const double end : {-0.5, 0.5}) shape.vertices.push_back(middle(end * tube_length));
+  const auto at = [](Index i, Index k) { return i * n_around + k % n_around; };
+  const Index first = n_rings * n_around, last = first + 1;
+  for (Index k = 0; k < n_around; ++k) {
+    for (Index i = 0; i + 1 < n_rings; ++i) {
+      shape.polygons.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+      shape.polygons.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+    }
+    shape.polygons.push_back({first, at(0, k + 1), at(0, k)});
+    shape.polygons.push_back({last, at(n_rings - 1, k), at(n_rings - 1, k + 1)});
+  }
+  return make_shape(std::move(shape), "tube");
+}
+
+/// As if a search had found these pairs.
+AlignmentFindings<3> found(const ShapePair<3>& shapes) {
+  Start<3> start;
+  const auto &x = shapes.reference.original.vertices, &y = shapes.template_shape.original.vertices;
+  for (std::size_t v = 0; v < x.size(); v += 7) start.alignment.pairs.push_back({pair_name(v), x[v], y[v]});
+  start.n_pairs = start.alignment.pairs.size();
+  start.score = 0.3;
+  start.order = 0.05;
+  AlignmentFindings<3> findings;
+  findings.by_pairs.results.push_back({{start}, 2});
+  return findings;
+}
+
+struct Matched {
+  PreparedPair<3> prepared;
+  MatchResult<3> result;
+  double error = 0;  ///< mean, in lengths of the tube
+};
+
+Matched match(BendMode bend, const std::vector<Landmark<3>>& landmarks = {}) {
+  ExperimentOptions options = profile_defaults(Profile::standard);
+  options.cascade.max_level = 5;
+  options.align.bend = bend;
+  MatchInputs<3> inputs;
+  inputs.shapes = {tube(1.04), tube(0)};
+  inputs.landmarks = landmarks;
+  const std::vector<Vec<3>> truth = inputs.shapes.template_shape.original.vertices;
+  Observer quiet;
+  AlignmentFindings<3> findings = found(inputs.shapes);
+  inputs.prepared = prepare_pair(inputs.shapes, inputs.landmarks, options, quiet, findings);
+  PreparedPair<3> prepared = inputs.prepared;
+  Recorder recorder(quiet);
+  RunClock clock;
+  Matched m{std::move(prepared), match_placed_shapes(std::move(inputs), options, recorder, clock)};
+  for (std::size_t v = 0; v < truth.size(); ++v)
+    m.error += (m.result.deformed.vertices[v] - truth[v]).norm() / tube_length / static_cast<double>(truth.size());
+  return m;
+}
+
+TEST(Bend, EndsThatNearlyTouchMoveApart) {
+  const Matched bent = match(BendMode::automatic), space = match(BendMode::never);
+  ASSERT_TRUE(bent.prepared.alignment.bend);
+  EXPECT_TRUE(bent.result.summary.alignment->bent);
+  EXPECT_FALSE(space.prepared.alignment.bend);
+  EXPECT_FALSE(space.result.summary.alignment->bent);
+  EXPECT_LT(bent.error, 0.01);
+  EXPECT_GT(space.error, 1.5 * bent.error);
+  EXPECT_EQ(bent.result.summary.levels.back().folds.n_folded_cells, 0);
+}
+
+TEST(Bend, TheMapCarriesTheReferenceAsItWasRead) {
+  const Matched m = match(BendMode::automatic);
+  const std::vector<Vec<3>> reference = tube(1.04).original.vertices;
+  ASSERT_TRUE(m.result.map.bend);
+  for (std::size_t v = 0; v < reference.size(); ++v) {
+    const Vec<3> y = m.result.map.apply(reference[v]);
+    EXPECT_LT((y - m.result.deformed.vertices[v]).norm(), 1e-9) << v;
+    const auto x = PointMap<3>(m.result.map, Toward::reference)(y);
+    ASSERT_TRUE(x) << v;
+    EXPECT_LT((*x - reference[v]).norm(), 1e-6) << v;
+  }
+  // What is measured and shown compares with the reference as it was.
+  const auto& shown = m.result.surfaces.reference.vertices;
+  EXPECT_LT((shown.front() - shown[shown.size() - 3]).norm(),
+            (reference.front() - reference[reference.size() - 3]).norm());
+  EXPECT_GT(m.result.summary.distance_before->deformed_to_template.mean, 0.1);
+}
+
+TEST(Bend, LandmarksBelongToTheReferenceAsItWasRead) {
+  const auto x = tube(1.04).original.vertices, y = tube(0).original.vertices;
+  const Matched m = match(BendMode::automatic, {{"start", x[5], y[5]}, {"end", x[900], y[900]}});
+  ASSERT_TRUE(m.result.map.bend);
+  ASSERT_TRUE(m.result.summary.landmarks);
+  EXPECT_LT(m.result.summary.landmarks->max, 0.01);
+}
+
+}  // namespace
+}  // namespace shellmatch
