@@ -16,7 +16,9 @@ set(shellmatch_public_headers
   energies/energy_options.h
   energies/pairs/point_pairs.h
   energies/terms/term_values.h
+  geometry/distance/facet_tree.h
   geometry/distance/signed_distance.h
+  geometry/distance/surface_bend.h
   geometry/generate/generate_shape.h
   geometry/generate/generator_info.h
   geometry/io/read_shape.h

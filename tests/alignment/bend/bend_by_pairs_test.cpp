@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace shellmatch {
@@ -19,8 +20,22 @@ const Surface<3>& rest_hand() {
   return surface;
 }
 
+/// Rolled up by a right angle from one end to the other.
 const Surface<3>& bent_hand() {
-  static const Surface<3> surface = generated_surface("hand", "bent", 0.03);
+  static const Surface<3> surface = [] {
+    Box<3> box;
+    for (const Vec<3>& x : rest_hand().vertices) box.add(x);
+    Eigen::Index along = 0, across = 0;
+    (box.max - box.min).maxCoeff(&along);
+    (box.max - box.min).minCoeff(&across);
+    const double radius = (box.max - box.min)[along] / std::numbers::pi * 2;
+    return test::mapped<3>(rest_hand(), [=](Vec<3> x) {
+      const double angle = (x[along] - box.min[along]) / radius, height = radius - (x[across] - box.min[across]);
+      x[along] = box.min[along] + height * std::sin(angle);
+      x[across] = box.min[across] + radius - height * std::cos(angle);
+      return x;
+    });
+  }();
   return surface;
 }
 

@@ -129,6 +129,7 @@ SubjectResult finished_subject(int i) {
   s.diagonal = 100 + i;
   s.seconds = 20 + i;
   s.folder = fmt::format("runs/{}/output", s.id);
+  s.has_page = true;
   s.in_model = true;
   return s;
 }
