@@ -57,6 +57,11 @@ void SurfaceBend<Dim>::apply(Surface<Dim>& surface) const {
   parallel_for(surface.vertices.size(), [&](std::size_t v) { surface.vertices[v] = (*this)(surface.vertices[v]); });
 }
 
+template <int Dim>
+void SurfaceBend<Dim>::apply(Shape<Dim>& shape) const {
+  for (Surface<Dim>* surface : {&shape.surface, &shape.evidence.observed, &shape.evidence.unobserved}) apply(*surface);
+}
+
 template class SurfaceBend<2>;
 template class SurfaceBend<3>;
 

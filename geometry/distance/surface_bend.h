@@ -27,6 +27,8 @@ class SurfaceBend {
 
   /// Moves the vertices of a surface that lies on or beside this one.
   void apply(Surface<Dim>& surface) const;
+  /// The surface of a shape, and its observed and unobserved parts; the original stays.
+  void apply(Shape<Dim>& shape) const;
 
  private:
   static Vec<Dim> carried(const Surface<Dim>& from, const FacetTree<Dim>& tree, const Surface<Dim>& to,

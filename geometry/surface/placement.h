@@ -40,6 +40,13 @@ Similarity<Dim> as_is_placement(const Shape<Dim>& reference, const Shape<Dim>& t
 /// facets over, so that they still face outward.
 template <int Dim>
 void apply_similarity(const Similarity<Dim>& placement, Surface<Dim>& surface);
+/// The surface moved by one similarity after the other.
+template <int Dim>
+Surface<Dim> transformed(Surface<Dim> surface, const Similarity<Dim>& first, const Similarity<Dim>& then) {
+  apply_similarity(first, surface);
+  apply_similarity(then, surface);
+  return surface;
+}
 /// The surface of a shape, and its observed and unobserved parts; the original stays.
 template <int Dim>
 void apply_similarity(const Similarity<Dim>& placement, Shape<Dim>& shape);

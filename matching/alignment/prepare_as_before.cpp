@@ -1,7 +1,5 @@
 #include "matching/alignment/prepare_as_before.h"
 
-#include <utility>
-
 namespace shellmatch {
 
 namespace {
@@ -32,10 +30,8 @@ std::optional<PreparedPair<Dim>> prepare_as_before(ShapePair<Dim>& shapes, const
     return std::nullopt;
   PreparedPair<Dim> pair;
   if (frame.bend) {
-    pair.unbent = std::exchange(moved.surface, std::move(bent));
-    for (Surface<Dim>* surface : {&moved.evidence.observed, &moved.evidence.unobserved}) frame.bend->apply(*surface);
-    apply_similarity(frame.pose, pair.unbent);
-    apply_similarity(frame.placement, pair.unbent);
+    pair.unbent = transformed(moved.surface, frame.pose, frame.placement);
+    frame.bend->apply(moved);
   }
   if (!frame.pose.is_identity()) apply_similarity(frame.pose, moved);
   for (Shape<Dim>* shape : {&moved, &other}) apply_similarity(frame.placement, *shape);

@@ -118,12 +118,10 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   }
   if (is_aligned)
     observer.note("pose: " + pose_text(result.alignment.pose, result.is_backward() ? "template" : "reference"));
-  if (result.alignment.bend) result.unbent = shapes.reference.surface;
-  result.placement = shapes.place(options, result.alignment.pose, result.alignment.bend.get());
-  if (result.alignment.bend) {
-    apply_similarity(result.alignment.pose, result.unbent);
-    apply_similarity(result.placement, result.unbent);
-  }
+  const SurfaceBend<Dim>* const bend = result.alignment.bend.get();
+  if (bend != nullptr) result.unbent = shapes.reference.surface;
+  result.placement = shapes.place(options, result.alignment.pose, bend);
+  if (bend != nullptr) result.unbent = transformed(std::move(result.unbent), result.alignment.pose, result.placement);
   if (result.is_backward()) exchange(shapes);
   return result;
 }

@@ -125,17 +125,6 @@ const ShapePair<Dim>& Trials<Dim>::tried_shapes() const {
   return *tried_;
 }
 
-// The surface of d1 before the bend.
-template <int Dim>
-Surface<Dim> Trials<Dim>::unbent(const SignedDistance<Dim>& d1, const Alignment<Dim>& start,
-                                 const Similarity<Dim>& placement) const {
-  if (!start.bend) return d1.surface();
-  Surface<Dim> surface = tried_shapes().reference.surface;
-  apply_similarity(start.pose, surface);
-  apply_similarity(placement, surface);
-  return surface;
-}
-
 template <int Dim>
 Trials<Dim> Trials<Dim>::of_exchanged_shapes() const {
   Trials others = *this;
@@ -206,8 +195,11 @@ Trial Trials<Dim>::try_start(const Alignment<Dim>& start) const {
         const auto alignment = static_cast<std::size_t>(std::ranges::find(names, "alignment") - names.begin());
         result.energy = result.with_pairs - (alignment < names.size() ? terms[alignment] : 0);
         const auto deform = [&](const Surface<Dim>& surface) { return deformed_surface(surface, end.grid, end.phi); };
-        result.spin_difference = spin_difference<Dim>(unbent(d1, start, placement), deform(d1.surface()), d2.surface(),
-                                                      observed, tried_shapes().one_is_part());
+        const ShapePair<Dim>& tried = tried_shapes();
+        const Surface<Dim> undeformed =
+            start.bend ? transformed(tried.reference.surface, start.pose, placement) : d1.surface();
+        result.spin_difference =
+            spin_difference<Dim>(undeformed, deform(d1.surface()), d2.surface(), observed, tried.one_is_part());
         result.template_distance =
             two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), n_measured)
                 .figures.template_to_deformed.mean;
@@ -241,9 +233,6 @@ DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried c
         }
         result.energy = end.levels.back().minimised.sum();
         result.missed = missed_share(start, end, placement, d2.surface());
-        result.spin_difference =
-            spin_difference<Dim>(forward ? unbent(d1, start, placement) : d2.surface(), deform(carried_shape.surface()),
-                                 other.surface(), forward ? observed : exchanged(observed), tried.one_is_part());
       });
   return result;
 }

@@ -3,7 +3,6 @@
 /// Trials of starts: how much energy the coarsest levels of a cascade need from there, and how well they cover the
 /// template.
 
-#include "geometry/distance/signed_distance.h"
 #include "matching/alignment/alignment.h"
 #include "matching/alignment/kept_results.h"
 #include "matching/experiment/options.h"
@@ -26,13 +25,12 @@ struct Trial {
   std::optional<double> spin_difference = {};   ///< matching/result/spin_difference.h
 };
 
-/// Of a trial of one of both directions. Both infinite as above.
+/// Of a trial of one of both directions. Distance and energy are infinite as above.
 struct DirectionTrial {
   double distance = std::numeric_limits<double>::infinity();  ///< sum of the mean distances both ways, diagonals of the
                                                               ///< shape that is not carried
   double energy = std::numeric_limits<double>::infinity();    ///< with all terms
   double missed = 1;  ///< share of the pairs' weight that ends far from where it belongs; 0 without pairs
-  std::optional<double> spin_difference = {};  ///< matching/result/spin_difference.h
 };
 
 /// Outcomes of trials, kept.
@@ -82,8 +80,6 @@ class Trials {
  private:
   Trial try_start(const Alignment<Dim>& start) const;
   DirectionTrial try_direction(const Alignment<Dim>& start, Carried carried) const;
-  Surface<Dim> unbent(const SignedDistance<Dim>& d1, const Alignment<Dim>& start,
-                      const Similarity<Dim>& placement) const;
   template <class Measure>
   void run(const Alignment<Dim>& start, const ExperimentOptions& options, const Measure& measure) const;
 

@@ -107,7 +107,6 @@ static void describe(S& s, Member&& member) {
   member("distance", s.distance);
   member("energy", s.energy);
   member("missed", s.missed);
-  member("spin_difference", s.spin_difference);
 }
 
 template <class S, class Member>

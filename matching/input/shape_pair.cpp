@@ -83,9 +83,7 @@ void take_slicers_space(ShapePair<3>& pair, const LandmarkOptions& landmarks, Ob
 template <int Dim>
 Similarity<Dim> ShapePair<Dim>::place(const ExperimentOptions& options, const Similarity<Dim>& pose,
                                       const SurfaceBend<Dim>* bend) {
-  if (bend != nullptr)
-    for (Surface<Dim>* surface : {&reference.surface, &reference.evidence.observed, &reference.evidence.unobserved})
-      bend->apply(*surface);
+  if (bend != nullptr) bend->apply(reference);
   if (!pose.is_identity()) apply_similarity(pose, reference);
   const double clearance = 1.0 / static_cast<double>(1 << options.cascade.max_level);
   const Similarity<Dim> placement = options.input.placement == PlacementKind::fit
