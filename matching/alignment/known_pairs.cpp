@@ -11,10 +11,11 @@ namespace shellmatch {
 
 namespace {
 
-// In diagonals of the template. Where no part of either shape is farther from the other no limb begins elsewhere, and
-// pairs that do are wrong.
+// In diagonals of the template.
 constexpr double most_apart = 0.05;
 constexpr std::size_t most_looked_at = 5000;  // vertices of each
+
+}  // namespace
 
 template <int Dim>
 bool lie_near(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape) {
@@ -28,8 +29,6 @@ bool lie_near(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& t
   };
   return lies_near(reference, template_shape) && lies_near(template_shape, reference);
 }
-
-}  // namespace
 
 template <int Dim>
 std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmarks, const Alignment<Dim>& alignment,
@@ -76,6 +75,7 @@ ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignm
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                             \
+  template bool lie_near<Dim>(const SignedDistance<Dim>&, const SignedDistance<Dim>&);                          \
   template ExperimentOptions cascade_options<Dim>(const ExperimentOptions&, const Alignment<Dim>&);             \
   template std::vector<PairSet<Dim>> known_pairs<Dim>(const std::vector<Landmark<Dim>>&, const Alignment<Dim>&, \
                                                       const ExperimentOptions&, const Similarity<Dim>&,         \

@@ -11,6 +11,12 @@
 
 namespace shellmatch {
 
+/// Whether no part of either surface lies farther than 0.05 diagonals of the template from the other: no limb begins
+/// elsewhere then, and pairs that do are wrong. \param reference, template_shape in the pose from which a matching
+/// begins
+template <int Dim>
+bool lie_near(const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape);
+
 /// Terms `landmarks` and `alignment`, as far as there are such pairs.
 /// \param reference, template_shape in the unit domain, after the pose of `alignment` and `placement`
 /// \throws InputError as landmark_pairs

@@ -85,9 +85,10 @@ constexpr double far = 0.05;
 
 template <int Dim>
 double missed_share(const Alignment<Dim>& start, const CascadeResult<Dim>& end, const Similarity<Dim>& placement,
-                    const Surface<Dim>& fixed) {
+                    const SignedDistance<Dim>& moving, const SignedDistance<Dim>& fixed) {
+  if (!start.bend && lie_near(moving, fixed)) return 0;
   const MapFrame<Dim> frame{placement, start.pose, false, Space::unsaid, start.bend};
-  const double most = far * std::pow(surface_measure(fixed), 1.0 / (Dim - 1));
+  const double most = far * std::pow(surface_measure(fixed.surface()), 1.0 / (Dim - 1));
   double sum = 0, missed = 0;
   for (const Landmark<Dim>& pair : start.pairs) {
     sum += pair.weight;
@@ -232,7 +233,7 @@ DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried c
               2 * (deformed_is_part == forward ? figures.deformed_to_template.mean : figures.template_to_deformed.mean);
         }
         result.energy = end.levels.back().minimised.sum();
-        result.missed = missed_share(start, end, placement, d2.surface());
+        result.missed = missed_share(start, end, placement, d1, d2);
       });
   return result;
 }

@@ -30,7 +30,8 @@ struct DirectionTrial {
   double distance = std::numeric_limits<double>::infinity();  ///< sum of the mean distances both ways, diagonals of the
                                                               ///< shape that is not carried
   double energy = std::numeric_limits<double>::infinity();    ///< with all terms
-  double missed = 1;  ///< share of the pairs' weight that ends far from where it belongs; 0 without pairs
+  double missed = 1;  ///< share of the pairs' weight that ends far from where it belongs; 0 without
+                      ///< pairs, and where the shapes lie_near(): those are wrong
 };
 
 /// Outcomes of trials, kept.

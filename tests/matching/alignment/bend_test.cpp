@@ -114,6 +114,20 @@ TEST(Bend, TheMapCarriesTheReferenceAsItWasRead) {
   EXPECT_GT(m.result.summary.distance_before->deformed_to_template.mean, 0.1);
 }
 
+TEST(Bend, WhereShapesLieNearPairsThatEndElsewhereAreWrongAndNotMissed) {
+  const auto missed = [](const ShapePair<3>& shapes) {
+    // A third of the map is four rings off.
+    Alignment<3> alignment = found(shapes).by_pairs.results[0].starts[0].alignment;
+    for (std::size_t i = alignment.pairs.size() / 3; i < alignment.pairs.size() * 2 / 3; ++i)
+      alignment.pairs[i].on_template = shapes.template_shape.original.vertices[7 * i + 4 * n_around];
+    const ExperimentOptions options = profile_defaults(Profile::standard);
+    Observer quiet;
+    return Trials<3>(shapes, {}, options, quiet).of_direction(alignment, Carried::reference).missed;
+  };
+  EXPECT_EQ(missed({tube(0.2), tube(0.22)}), 0);
+  EXPECT_GT(missed({tube(1.04), tube(0)}), 0.1);
+}
+
 TEST(Bend, LandmarksBelongToTheReferenceAsItWasRead) {
   const auto x = tube(1.04).original.vertices, y = tube(0).original.vertices;
   const Matched m = match(BendMode::automatic, {{"start", x[5], y[5]}, {"end", x[900], y[900]}});
