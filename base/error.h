@@ -22,7 +22,7 @@ class InputError : public std::runtime_error {
   explicit InputError(std::string text) : std::runtime_error(without_nul(std::move(text))) {}
 };
 
-/// The machine lacks a resource or permission (disk, memory, access): exit code 3.
+/// The machine lacks a resource or permission: exit code 3, or that of a kind below.
 class EnvironmentError : public std::runtime_error {
  public:
   explicit EnvironmentError(std::string text) : std::runtime_error(without_nul(std::move(text))) {}

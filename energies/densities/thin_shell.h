@@ -138,7 +138,7 @@ struct ThinShellOf {
            (0.5 * (Dim + 2) * c.mu + 0.75 * c.lambda);
   }
 
-  /// Positive part of the second derivative on tangential maps, by the entries of Y (thin_shell_hessian.h).
+  /// Positive part of the second derivative on tangential maps, by the entries of Y.
   template <class Entries>
   static auto positive_tangent_hessian(const Entries& y, const Material<double>& c) {
     return thin_shell_tangent_hessian<Dim, Growth>(y, c);

@@ -16,7 +16,7 @@ namespace shellmatch {
 /// leaving out each of the shapes takes n^3 operations in all, while a new decomposition for each would take n^4.
 ///
 /// Where the others vary in fewer directions than all, an eigenvalue mu_k is 0: at most least_variance_share
-/// (gram_eigen.h) of the greatest of S. It belongs to no mode of the others, and the component along its eigenvector
+/// (products.h) of the greatest of S. It belongs to no mode of the others, and the component along its eigenvector
 /// remains for every number of modes.
 ///
 /// \param values K eigenvalues of S, descending, > 0 \param scores K of one shape \param n number of shapes, > 1

@@ -141,7 +141,8 @@ std::string nrrd_header(const VoxelGrid& in_ras, VoxelType type, bool is_vector)
   static constexpr const char* names[] = {"uint8", "int8",   "uint16", "int16", "uint32",
                                           "int32", "uint64", "int64",  "float", "double"};
   VoxelGrid grid = exchange_space(in_ras);
-  const bool is_las = in_ras.file && in_ras.file->space == "left-anterior-superior";
+  // Vectors are in LPS, as ITK and ANTs read them.
+  const bool is_las = !is_vector && in_ras.file && in_ras.file->space == "left-anterior-superior";
   if (is_las) {
     grid.axes.row(1) *= -1;
     grid.origin[1] *= -1;

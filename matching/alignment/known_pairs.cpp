@@ -38,10 +38,13 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
   const auto add = [&](const std::string& name, const std::vector<Landmark<Dim>>& points,
                        const LandmarkOptions& weights) {
     if (points.empty()) return;
-    std::vector<Landmark<Dim>> bent = points;
-    if (alignment.bend)
+    std::vector<Landmark<Dim>> bent;
+    if (alignment.bend) {
+      bent = points;
       for (Landmark<Dim>& point : bent) point.on_reference = (*alignment.bend)(point.on_reference);
-    sets.push_back(landmark_pairs(name, bent, weights, alignment.pose, placement, reference, template_shape));
+    }
+    sets.push_back(landmark_pairs(name, alignment.bend ? bent : points, weights, alignment.pose, placement, reference,
+                                  template_shape));
   };
   LandmarkOptions known = options.landmarks;
   // Noisy landmarks give way to pairs that are more exact, and only to such.

@@ -202,7 +202,7 @@ struct StartOptions {
           {.meaning =
                "output folders of earlier runs that have deformed the same reference onto other shapes: of surfaces "
                "the pose is predicted from these with align.mode auto, and pairs are searched only where that is not "
-               "clear or leaves a part far away. Such a run keeps no checkpoints"});
+               "clear or leaves a part far away. Such a run keeps no checkpoints; relative to the YAML file"});
   }
 };
 

@@ -160,14 +160,24 @@ Override parse_override(const std::string& assignment) {
 
 Override beside_file(Override change, const std::string& file) {
   ExperimentOptions options;
-  const std::vector<std::string*> paths = paths_of(options);
   const OptionNode root = option_tree(options);
   const OptionNode* option = find_option(root, change.key);
-  if (option == nullptr || option->kind != OptionKind::text || option->is_list) return change;
-  // The option is one of those paths if setting it changes one of them.
-  option->set({std::string("?")});
-  for (const std::string* path : paths)
-    if (*path == "?") change.value = beside(file, change.value);
+  if (option == nullptr || option->kind != OptionKind::text) return change;
+  // The option holds paths if setting it changes some of them.
+  apply(root, change);
+  const std::vector<OptionScalar> given = option->get();
+  for (std::string* path : paths_of(options)) *path = beside(file, *path);
+  const std::vector<OptionScalar> found = option->get();
+  if (found == given) return change;
+  std::vector<std::string> texts;
+  for (const OptionScalar& path : found) {
+    texts.push_back(std::get<std::string>(path));
+    if (!option->is_list) continue;
+    std::string quoted = "'";  // as in YAML: quotes are doubled
+    for (const char c : texts.back()) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+    texts.back() = quoted + "'";
+  }
+  change.value = option->is_list ? fmt::format("[{}]", fmt::join(texts, ", ")) : texts.front();
   return change;
 }
 

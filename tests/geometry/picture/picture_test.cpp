@@ -181,7 +181,13 @@ TEST_F(Pictures, JpegIsBrightOrDarkOnItsRim) {
     EXPECT_TRUE(has_note(turned, "turned by 90 degrees to the left (orientation 8)"));
     const Shape<2> camera = read("camera.jpg", std::string(bytes).insert(2, 3, 'x'));
     EXPECT_EQ(camera.surface.vertices, shape.surface.vertices);
-    EXPECT_TRUE(has_note(camera, "bytes between its parts are left out"));
+    EXPECT_TRUE(has_note(camera, "3 bytes between its parts are left out"));
+    // What is wrong with the rest is not hidden by them.
+    const std::string stray = std::string(bytes).insert(2, 3, 'x');
+    EXPECT_THROW(read("cut.jpg", stray.substr(0, stray.size() / 2)), InputError);
+    std::string damaged = bytes;
+    damaged.replace(bytes.size() - 40, 20, 20, 'x');
+    EXPECT_THROW(read("damaged.jpg", damaged), InputError);
     EXPECT_NEAR(area(shape.surface) / area(expected_[0].surface), 1, 0.03);
     EXPECT_TRUE(has_note(shape, dark ? "what is darker than half of white" : "what is brighter than half of white"));
     if (!dark) EXPECT_NEAR(area(read("photo.jpeg", bytes, ":>128").surface) / area(expected_[0].surface), 1, 0.03);

@@ -107,6 +107,11 @@ TEST_F(Nrrd, AFrameInWhichReadersDifferIsSaidAndKept) {
   EXPECT_TRUE(contains(folder.read("b.nrrd"), "space directions: (1,0,0) (0,2,0) (0,0,3)\n"));
   EXPECT_TRUE(contains(folder.read("b.nrrd"), "space origin: (7,8,9)\n"));
   EXPECT_EQ(read_volume(folder.path("b.nrrd")).grid.origin, read.grid.origin);
+  // The components of vectors are along LPS, whatever the model: a reader of either kind has both alike then.
+  const std::vector<float> vectors(3 * read.values.size());
+  vector_volume_file(folder.path("v.nrrd"), read.grid, vectors, Existing::is_replaced).publish();
+  EXPECT_TRUE(contains(folder.read("v.nrrd"), "space: left-posterior-superior\n"));
+  EXPECT_EQ(read.grid.origin, Vec<3>(-7, 8, 9));
   const Volume scanner = read_volume(of_axes("space: scanner-xyz\n" + frame.substr(frame.find('\n') + 1)));
   EXPECT_TRUE(contains(scanner.grid.file->placed_by, "in LPS, as its space 'scanner-xyz' says nothing of a patient"));
 }

@@ -88,6 +88,18 @@ TEST_F(Experiment, TextOverridesAreTakenToTheLetter) {
   EXPECT_EQ(read("threads: 1", {"input.reference=a: b #1=2.ply"}).input.reference, "a: b #1=2.ply");
 }
 
+TEST_F(Experiment, PathsOfAStudyAreRelativeToItsFileInListsToo) {
+  const auto value = [](const char* assignment) {
+    return beside_file(parse_override(assignment), "dir/study.yaml").value;
+  };
+  EXPECT_EQ(value("landmarks.file=points.csv"), "dir/points.csv");
+  EXPECT_EQ(value("input.unit=mm"), "mm");
+  EXPECT_EQ(value("start.images=[runs/a, '/b, c']"), "['dir/runs/a', '/b, c']");
+  ExperimentOptions options = profile_defaults(Profile::standard);
+  apply_override(options, beside_file(parse_override("start.images=[\"it's\"]"), "dir/study.yaml"));
+  EXPECT_EQ(options.start.images, std::vector<std::string>{"dir/it's"});
+}
+
 TEST_F(Experiment, ApplyOverrideChangesOneOption) {
   ExperimentOptions options;
   apply_override(options, "energy.boundary=dirichlet");
