@@ -18,8 +18,8 @@ namespace shellmatch {
 /// the cascade and measures the result. `make_shape` (geometry/repair/make_shape.h) makes a shape from vertices and
 /// polygons, `open_shape` (matching/input/shape_source.h) from a file.
 /// \param options `profile_defaults(Profile::standard)` with the changes wanted. Of `input`, only placement,
-///   margin, buried and unit are used; `start.map` and `start.images` must be empty; of `landmarks`, all but the files are used; `report`
-///   keeps `levels`; `pictures` and `resume` are ignored. `threads` is set for the whole process.
+///   margin, buried and unit are used; `start.map` and `start.images` must be empty; of `landmarks`, all but the files
+///   are used; `report` keeps `levels`; `pictures` and `resume` are ignored. `threads` is set for the whole process.
 /// \param observer receives the progress and can stop the matching; a plain `Observer` does nothing
 /// \param landmarks points that correspond, in the coordinates of the shapes
 /// \throws InputError for contradictory options, shapes that cannot be placed or landmarks far from them,

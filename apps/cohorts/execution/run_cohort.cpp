@@ -205,8 +205,7 @@ class CohortRun {
       std::vector<std::size_t> own;
       for (const std::size_t k : first)
         if (std::ranges::find(part_.subjects, k) != part_.subjects.end()) own.push_back(k);
-      if (!own.empty() && !match(stage, tasks_.of(stage, atlas.files, own), folder_))
-        return CohortEnd::stopped;
+      if (!own.empty() && !match(stage, tasks_.of(stage, atlas.files, own), folder_)) return CohortEnd::stopped;
       if (!is_asked && is_open()) {
         observer_.note("the other subjects wait for the first ones of other parts; then the same command goes on");
         return CohortEnd::in_part;
