@@ -290,6 +290,7 @@ class Matching {
                    inputs_.prepared.placement.scale,
                    {inputs_.prepared.placement.offset.begin(), inputs_.prepared.placement.offset.end()}};
     s.direction = inputs_.prepared.direction;
+    s.bent = inputs_.prepared.alignment.bend != nullptr;
     if (options_.check_gradient.every > 0) s.gradient_checks = recorder_.gradient_checks;
     clock_.state(s.run);
     return s;

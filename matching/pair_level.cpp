@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,7 +23,19 @@ struct LevelReached {};
 
 template <int Dim>
 bool same_place(const Similarity<Dim>& a, const Similarity<Dim>& b) {
-  return std::abs(a.scale - b.scale) <= 1e-9 * b.scale && (a.offset - b.offset).norm() <= 1e-9 * (1 + b.offset.norm());
+  return std::abs(a.scale - b.scale) <= 1e-9 * b.scale && (a.rotation - b.rotation).norm() <= 1e-9 &&
+         (a.offset - b.offset).norm() <= 1e-9 * (1 + b.offset.norm());
+}
+
+template <int Dim>
+bool same_bend(const SurfaceBend<Dim>* a, const SurfaceBend<Dim>* b) {
+  if (a == nullptr || b == nullptr) return a == b;
+  const auto same = [](const Surface<Dim>& x, const Surface<Dim>& y) {
+    return std::ranges::equal(x.vertices, y.vertices, [](const Vec<Dim>& p, const Vec<Dim>& q) {
+      return (p - q).norm() <= 1e-9 * (1 + q.norm());
+    });
+  };
+  return a->surface().facets == b->surface().facets && same(a->surface(), b->surface()) && same(a->bent(), b->bent());
 }
 
 }  // namespace
@@ -88,7 +101,7 @@ std::vector<Vec<Dim>> PairLevel<Dim>::sampled(const Deformation<Dim>& map) const
 
 template <int Dim>
 bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b) {
-  return a.is_backward == b.is_backward && (a.bend == nullptr) == (b.bend == nullptr) &&
+  return a.is_backward == b.is_backward && same_bend(a.bend.get(), b.bend.get()) &&
          same_place(a.placement, b.placement) && same_place(a.pose, b.pose);
 }
 

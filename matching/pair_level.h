@@ -26,7 +26,7 @@ struct LevelSize {
   Index n_nodes = 0, n_free_nodes = 0, n_cells = 0;
 };
 
-/// Do two maps belong to shapes in the same place, direction and pose?
+/// Do two maps belong to shapes in the same place, direction, pose and bend?
 template <int Dim>
 bool same_frame(const MapFrame<Dim>& a, const MapFrame<Dim>& b);
 

@@ -118,6 +118,8 @@ class Run {
       refuse("that run has moved and scaled its shapes into the unit domain; leave out input.placement: as-is");
     if (options_.align.direction == MatchDirection::backward && !map.is_backward)
       refuse("that run has deformed its reference, not its template; leave out align.direction: backward");
+    if (options_.align.bend == BendMode::never && map.bend)
+      refuse("that run has bent its reference's surface, and its map is one of that; leave out align.bend: never");
     const CascadeOptions& c = options_.cascade;
     const int level = options_.start.level > 0 ? options_.start.level
                                                : std::clamp(map.grid.finest_level() + 1, c.min_level, c.max_level);
@@ -128,7 +130,8 @@ class Run {
       return false;
     }
     inputs_.prepared = std::move(*prepared);
-    recorder_.note(fmt::format("begins at level {} with the map of {}", level, options_.start.map));
+    recorder_.note(fmt::format("begins at level {} with the map of {}{}", level, options_.start.map,
+                               map.bend ? ", from the surface that it bends first" : ""));
     inputs_.start = FinishedLevel<Dim>{level - 1, std::move(map), false};
     return true;
   }
@@ -153,8 +156,8 @@ class Run {
 
   // Where the run is stopped, what is kept and how to go on.
   std::string keep_and_tell() {
-    // Of a run that ends here, a tenth of what would be kept on the way.
-    if (recorder_.level == 0) checkpoints_.write(findings_, 0.1);
+    // Of a run that ends here, a tenth of what would be kept on the way. What a level has kept stays.
+    checkpoints_.write(findings_, 0.1);
     const std::string where = writing_    ? "while the result was written"
                               : aligning_ ? "in the alignment"
                               : recorder_.level == 0

@@ -1,6 +1,5 @@
 #include "geometry/vtk_xml/xml_file.h"
 
-#include "base/error.h"
 #include "base/printable.h"
 
 #include <algorithm>
@@ -21,7 +20,8 @@ VtkXmlFile::VtkXmlFile(const std::string& path, std::string_view bytes, const Xm
 }
 
 void VtkXmlFile::damaged(std::string_view why) const {
-  throw_input_error("{}: damaged, cut off, or no {} ({}){}", path_, expected_.what, printable(why), expected_.instead);
+  throw DamagedXmlFile(
+      fmt::format("{}: damaged, cut off, or no {} ({}){}", path_, expected_.what, printable(why), expected_.instead));
 }
 
 const XmlArray* VtkXmlFile::find(const XmlPiece& piece, std::string_view section, std::string_view name) {

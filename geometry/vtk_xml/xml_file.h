@@ -2,6 +2,7 @@
 /// \file
 /// VTK's XML files: a data set in pieces, each with sections of arrays.
 
+#include "base/error.h"
 #include "geometry/surface/space.h"
 #include "geometry/vtk_xml/xml_array.h"
 #include "geometry/vtk_xml/xml_head.h"
@@ -30,10 +31,17 @@ struct XmlExpectation {
   std::string_view instead = "";  ///< for damaged files: "; give another"
 };
 
+/// The file is damaged or cut off; the text says of what kind it should be.
+class DamagedXmlFile : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// The head of a file, and where its values are. The bytes outlive it.
 class VtkXmlFile {
  public:
-  /// \throws InputError where the file is damaged, of another type, or compressed otherwise than by zlib
+  /// \throws DamagedXmlFile, or another InputError where the file is of another type, or compressed otherwise than by
+  /// zlib
   VtkXmlFile(const std::string& path, std::string_view bytes, const XmlExpectation& expected);
 
   const std::vector<XmlPiece>& pieces() const { return pieces_; }
@@ -55,6 +63,7 @@ class VtkXmlFile {
 
   /// Arrays of points whose type has no numbers: "point data 'name' of type String dropped".
   const std::vector<std::string>& dropped() const { return dropped_; }
+  /// \throws DamagedXmlFile
   [[noreturn]] void damaged(std::string_view why) const;
 
   /// Components that an array may have.

@@ -36,10 +36,14 @@ std::string reached(const DirectionTrial& trial) {
              : "unknown, as it cannot be tried";
 }
 
-/// Tries both directions on coarse levels; backward is chosen where it ends clearly better. Returns how that ends.
+struct DirectionTrials {
+  DirectionTrial chosen, other;
+};
+
+/// Tries both directions on coarse levels; backward is chosen where it ends clearly better.
 template <int Dim>
-DirectionTrial choose_direction(const Trials<Dim>& trials, const Alignment<Dim>& alignment, DirectionSummary& direction,
-                                Observer& observer) {
+DirectionTrials choose_direction(const Trials<Dim>& trials, const Alignment<Dim>& alignment,
+                                 DirectionSummary& direction) {
   Activity trying(trials_activity, 2);
   trying.next();
   const DirectionTrial forward = trials.of_direction(alignment, Carried::reference);
@@ -54,33 +58,35 @@ DirectionTrial choose_direction(const Trials<Dim>& trials, const Alignment<Dim>&
   };
   keep(forward, direction.forward_distance, direction.forward_energy);
   keep(backward, direction.backward_distance, direction.backward_energy);
-  observer.note(
-      fmt::format("direction: {}; distance after coarse levels {}, in the other direction {}",
-                  direction.backward ? "the template is deformed, and the inverse of that map carries the reference"
-                                     : "the reference is deformed",
-                  reached(direction.backward ? backward : forward), reached(direction.backward ? forward : backward)));
-  return direction.backward ? backward : forward;
+  return direction.backward ? DirectionTrials{backward, forward} : DirectionTrials{forward, backward};
+}
+
+std::string direction_text(const DirectionSummary& direction, const DirectionTrials& trials) {
+  return fmt::format("direction: {}; distance after coarse levels {}, in the other direction {}",
+                     direction.backward ? "the template is deformed, and the inverse of that map carries the reference"
+                                        : "the reference is deformed",
+                     reached(trials.chosen), reached(trials.other));
 }
 
 // Where maps of space keep up, few pairs are missed, and those are wrong ones.
 constexpr double many_missed = 0.005;
 
-/// Bends the reference where no map of space reaches the pairs and one from the bent surface does.
-void bend_if_needed(const Trials<3>& trials, const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+/// Bends the reference where no map of space reaches the pairs and one from the bent surface does. Returns whether.
+bool bend_if_needed(const Trials<3>& trials, const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                     const ExperimentOptions& options, const DirectionTrial& reached, PreparedPair<3>& pair,
                     Observer& observer) {
-  if (options.align.bend == BendMode::never || pair.alignment.pairs.empty() || shapes.one_is_part()) return;
-  if (!(reached.missed > many_missed)) return;
+  if (options.align.bend == BendMode::never || pair.alignment.pairs.empty() || shapes.one_is_part()) return false;
+  if (!(reached.missed > many_missed)) return false;
   Alignment<3> bent = bent_start(pair.alignment, shapes.reference.surface, landmarks);
   const DirectionTrial trial = trials.of_direction(bent, Carried::reference);
-  if (!(trial.missed < reached.missed)) return;
+  if (!(trial.missed < reached.missed)) return false;
   observer.note(fmt::format(
-      "bend: as maps of space miss {:.2g} % of the pairs, the reference's surface is bent by them first: the "
-      "map is one of the surface (--set align.bend=never keeps it one of space)",
+      "bend: as maps of space miss {:.2g} % of the pairs, the reference's surface is bent by them first and "
+      "then deformed: the map is one of the surface (--set align.bend=never keeps it one of space)",
       100 * reached.missed));
   pair.alignment = std::move(bent);
-  pair.alignment.summary->bent = true;
   pair.direction->backward = false;
+  return true;
 }
 
 /// Whether directions may end differently and one of them rightly: something leads points to where they belong, or a
@@ -109,8 +115,11 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   if (is_aligned || wanted == MatchDirection::backward)
     result.direction.emplace().backward = wanted == MatchDirection::backward;
   if (wanted == MatchDirection::automatic && is_aligned && may_differ(shapes, result.alignment, landmarks)) {
-    const DirectionTrial reached = choose_direction(trials, result.alignment, *result.direction, observer);
-    if constexpr (Dim == 3) bend_if_needed(trials, shapes, landmarks, options, reached, result, observer);
+    const DirectionTrials tried = choose_direction(trials, result.alignment, *result.direction);
+    bool is_bent = false;
+    if constexpr (Dim == 3)
+      is_bent = bend_if_needed(trials, shapes, landmarks, options, tried.chosen, result, observer);
+    if (!is_bent) observer.note(direction_text(*result.direction, tried));
   }
   if (result.is_backward()) {
     result.alignment = inverse(std::move(result.alignment));

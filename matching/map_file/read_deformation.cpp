@@ -7,6 +7,7 @@
 #include "matching/output/checksum.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -54,9 +55,10 @@ class MapFile {
     if (file_.pieces().size() != 1) file_.damaged("it is not of one piece");
     n_points_ = file_.number(piece().tag, "NumberOfPoints", 0);
     n_cells_ = file_.number(piece().tag, "NumberOfCells", 0);
-  } catch (const InputError& damage) {
-    if (std::string_view(damage.what()).starts_with(path + ": damaged")) throw;
-    throw_input_error("{}: damaged, cut off, or no {} ({}){}", path, of_a_map.what, damage.what(), of_a_map.instead);
+  } catch (const DamagedXmlFile&) {
+    throw;
+  } catch (const InputError& other) {
+    throw_input_error("{}: damaged, cut off, or no {} ({}){}", path, of_a_map.what, other.what(), of_a_map.instead);
   }
 
   std::size_t n_points() const { return n_points_; }
@@ -64,7 +66,7 @@ class MapFile {
   bool has_fact(std::string_view name) const { return VtkXmlFile::find(file_.facts(), "FieldData", name) != nullptr; }
 
   /// All components of one tuple after the other. \throws InputError where the array is missing, of another type or
-  /// size, damaged, or not finite
+  /// size, damaged, not finite, or not whole in one of whole numbers
   std::vector<double> values(std::string_view section, std::string_view name, ValueType type, std::size_t n_components,
                              std::size_t n_tuples) const {
     const XmlArray* array = VtkXmlFile::find(section == "FieldData" ? file_.facts() : piece(), section, name);
@@ -75,7 +77,9 @@ class MapFile {
     } catch (const InputError&) {
       damaged(name);
     }
-    if (!std::ranges::all_of(found, [](double x) { return std::isfinite(x); })) damaged(name);
+    const bool are_whole = type != ValueType::float64;
+    const auto may_be = [&](double x) { return std::isfinite(x) && (!are_whole || x == std::floor(x)); };
+    if (!std::ranges::all_of(found, may_be)) damaged(name);
     return found;
   }
   std::vector<double> facts(std::string_view name, std::size_t n) const {
@@ -147,7 +151,10 @@ Similarity<Dim> pose_of(const MapFile& file) {
 // Null where the file has none.
 template <int Dim>
 std::shared_ptr<const SurfaceBend<Dim>> bend_of(const MapFile& file) {
-  if (Dim == 2 || !file.has_fact("bend_sizes")) return nullptr;
+  if (std::ranges::none_of(std::array{"bend_sizes", "bend_vertices", "bend_facets"},
+                           [&](const char* name) { return file.has_fact(name); }))
+    return nullptr;
+  if (Dim == 2) file.damaged("a bend in the plane");
   const std::vector<double> sizes = file.facts("bend_sizes", 2);
   for (const double size : sizes)
     if (!(size >= 1 && size <= std::numeric_limits<Index>::max() && size == std::floor(size)))

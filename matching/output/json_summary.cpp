@@ -134,7 +134,6 @@ static void describe(S& s, Member&& member) {
   member("pairs", s.n_pairs);
   member("doubtful", s.doubtful);
   member("as_it_lies", s.as_it_lies);
-  member("bent", s.bent);
   member("fits_mirrored", s.fits_mirrored);
   member("landmark_distance", s.landmark_distance);
   member("landmark_trust", s.landmark_trust);
@@ -206,6 +205,7 @@ static void describe(S& s, Member&& member) {
   member("placement", s.placement);
   member("direction", s.direction);
   member("alignment", s.alignment);
+  member("bent", s.bent);
   member("landmarks", s.landmarks);
   member("distance_before", s.distance_before);
   member("distance", s.distance);

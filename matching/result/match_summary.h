@@ -94,7 +94,6 @@ struct AlignmentSummary {
   int n_pairs = 0;          ///< used in the energy or for the pose
   bool doubtful = false;    ///< not clearly the best map, or far from isometric
   bool as_it_lies = false;  ///< nothing is used then: not clearly better than the shapes as they lie
-  bool bent = false;        ///< the reference's surface was bent first: the map is one of the surface
   bool fits_mirrored =
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
   std::optional<int> n_images = {};  ///< earlier results that it was predicted from, without a search
@@ -162,6 +161,7 @@ struct MatchSummary {
   PlacementSummary placement;
   std::optional<DirectionSummary> direction;
   std::optional<AlignmentSummary> alignment;
+  bool bent = false;                         ///< the reference's surface was bent first: the map is one of the surface
   std::optional<LandmarkSummary> landmarks;  ///< at the end; none without landmarks
   std::optional<std::string> unit;           ///< of the coordinates (input.unit); empty where nobody has said
   std::optional<double> template_diagonal;   ///< of its bounding box, in that unit

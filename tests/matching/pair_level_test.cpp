@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,26 @@ TEST(PairLevel, IsThatOfTheCascade) {
   // The coarsest begins with the identity.
   PairLevel<2> coarsest(ellipses(), {}, o, 3, quiet);
   EXPECT_EQ(coarsest.coarser_result(quiet), coarsest.identity());
+}
+
+TEST(PairLevel, FramesDifferInEachOfTheirParts) {
+  MapFrame<3> frame;
+  const Surface<3> corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  const auto bend = [&](double x) {
+    std::vector<Vec<3>> bent = corner.vertices;
+    bent[2].x() = x;
+    return std::make_shared<const SurfaceBend<3>>(corner, std::move(bent));
+  };
+  frame.bend = bend(0.25);
+  MapFrame<3> same = frame;
+  same.bend = bend(0.25);
+  EXPECT_TRUE(same_frame(frame, same));
+  MapFrame<3> turned = frame, other_bend = frame, no_bend = frame, shifted = frame;
+  turned.pose.rotation = -Mat<3>::Identity();
+  other_bend.bend = bend(0.5);
+  no_bend.bend = nullptr;
+  shifted.placement.offset.x() += 0.1;
+  for (const MapFrame<3>& other : {turned, other_bend, no_bend, shifted}) EXPECT_FALSE(same_frame(frame, other));
 }
 
 // A matching of what is in memory is that of the same names.

@@ -97,6 +97,27 @@ TEST_F(StartMap, InSpaceAndBackward) {
   EXPECT_LT(s.distance->deformed_to_template.mean, 2e-3);
 }
 
+TEST_F(StartMap, FromASurfaceThatIsBentFirst) {
+  ExperimentOptions o = options("generate:sphere", "generate:ellipsoid/long", 4);
+  const MatchSummary plain = run(o, "coarse");
+  EXPECT_FALSE(plain.bent);
+  Deformation<3> map = read_deformation<3>(folder / "coarse");
+  const Surface<3> corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  map.bend = std::make_shared<const SurfaceBend<3>>(corner, corner.vertices);
+  write_deformation(folder / "bent.vtu", map);
+  o.start.map = folder / "bent.vtu";
+  const MatchSummary begun = run(o, "begun");
+  EXPECT_TRUE(listener.has("begins at level 4 with the map of")) << listener.lines.size();
+  EXPECT_TRUE(listener.has("from the surface that it bends first")) << listener.lines.size();
+  EXPECT_TRUE(begun.bent);
+  ASSERT_TRUE(read_deformation<3>(folder / "begun").bend);
+  EXPECT_NEAR(begun.distance->deformed_to_template.mean, plain.distance->deformed_to_template.mean, 1e-3);
+  o.align.bend = BendMode::never;
+  expect_input_error([&] { run(o, "never"); }, {"start.map", "bent.vtu", "align.bend: never"});
+  o.align.direction = MatchDirection::backward;
+  expect_input_error([&] { run(o, "never"); }, {"start.map", "bent.vtu", "align.direction: backward"});
+}
+
 TEST_F(StartMap, ShapesThatLieElsewhereBeginAnew) {
   run(options("generate:circle/small", "generate:circle/small", 4), "small");
   ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 4);

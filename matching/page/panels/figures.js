@@ -24,6 +24,7 @@ export function figuresPanel(model) {
   rows.push(["smallest det Dφ", figure(last.folds.min_determinant)], ["folded cells", integer(last.folds.folded_cells)]);
   if (summary.correspondence_error !== undefined) rows.push(["mean error of known correspondences, of the diagonal", percent(summary.correspondence_error)]);
   if (summary.alignment) rows.push(["reference was turned before by", `${figure(summary.alignment.angle)}°${summary.alignment.mirrored ? ", mirrored" : ""}`]);
+  if (summary.bent) rows.push(["reference was bent before", "as rigidly as possible: the map is one of its surface"]);
   return section("Figures", true, ...(summary.distance ? distanceTable(model) : []), table(null, rows));
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace shellmatch {
 namespace {
@@ -63,6 +64,7 @@ struct Matched {
   PreparedPair<3> prepared;
   MatchResult<3> result;
   double error = 0;  ///< mean, in lengths of the tube
+  std::string notes = {};
 };
 
 Matched match(BendMode bend, const std::vector<Landmark<3>>& landmarks = {}) {
@@ -73,13 +75,17 @@ Matched match(BendMode bend, const std::vector<Landmark<3>>& landmarks = {}) {
   inputs.shapes = {tube(1.04), tube(0)};
   inputs.landmarks = landmarks;
   const std::vector<Vec<3>> truth = inputs.shapes.template_shape.original.vertices;
-  Observer quiet;
+  struct : Observer {
+    std::string notes;
+    void note(const std::string& text) override { notes += text + "\n"; }
+  } listener;
   AlignmentFindings<3> findings = found(inputs.shapes);
-  inputs.prepared = prepare_pair(inputs.shapes, inputs.landmarks, options, quiet, findings);
+  inputs.prepared = prepare_pair(inputs.shapes, inputs.landmarks, options, listener, findings);
   PreparedPair<3> prepared = inputs.prepared;
-  Recorder recorder(quiet);
+  Recorder recorder(listener);
   RunClock clock;
   Matched m{std::move(prepared), match_placed_shapes(std::move(inputs), options, recorder, clock)};
+  m.notes = listener.notes;
   for (std::size_t v = 0; v < truth.size(); ++v)
     m.error += (m.result.deformed.vertices[v] - truth[v]).norm() / tube_length / static_cast<double>(truth.size());
   return m;
@@ -88,9 +94,13 @@ Matched match(BendMode bend, const std::vector<Landmark<3>>& landmarks = {}) {
 TEST(Bend, EndsThatNearlyTouchMoveApart) {
   const Matched bent = match(BendMode::automatic), space = match(BendMode::never);
   ASSERT_TRUE(bent.prepared.alignment.bend);
-  EXPECT_TRUE(bent.result.summary.alignment->bent);
+  EXPECT_TRUE(bent.result.summary.bent);
   EXPECT_FALSE(space.prepared.alignment.bend);
-  EXPECT_FALSE(space.result.summary.alignment->bent);
+  EXPECT_FALSE(space.result.summary.bent);
+  EXPECT_NE(bent.notes.find("bend: "), std::string::npos) << bent.notes;
+  EXPECT_EQ(bent.notes.find("direction: "), std::string::npos) << "neither that was tried is taken: " << bent.notes;
+  EXPECT_EQ(space.notes.find("bend: "), std::string::npos) << space.notes;
+  EXPECT_NE(space.notes.find("direction: "), std::string::npos) << space.notes;
   EXPECT_LT(bent.error, 0.01);
   EXPECT_GT(space.error, 1.5 * bent.error);
   EXPECT_EQ(bent.result.summary.levels.back().folds.n_folded_cells, 0);

@@ -56,6 +56,25 @@ TEST(Resume, AStopInTheAlignmentKeepsWhatItHasFound) {
   expect_same_bits(tmp / "whole", out);
 }
 
+TEST(Resume, AStopBeforeALevelIsKeptKeepsTheAlignment) {
+  const TemporaryFolder tmp;
+  ExperimentOptions o = experiment();
+  o.align.mode = AlignMode::automatic;
+  o.input.template_file = "generate:leaf";
+  run(o, tmp / "whole");
+  // Longer than the alignment takes, and less than ten times as long.
+  for (const auto& [phase, seconds] : read_summary(tmp / "whole/summary.json").run.phase_seconds)
+    if (phase == "alignment") o.resume.min_seconds = 3 * seconds;
+  const std::string told = stop_at(3, o, tmp / "out");
+  EXPECT_NE(told.find("stopped in level 3 of 5; the alignment is kept in"), std::string::npos) << told;
+  const Watcher resumed = run(o, tmp / "out");
+  EXPECT_NE(resumed.notes.find("going on with what the alignment has found"), std::string::npos) << resumed.notes;
+  EXPECT_EQ(resumed.n_of_trials, 0);
+  fs::remove_all(tmp / "whole/config.yaml");
+  fs::remove_all(tmp / "out/config.yaml");  // which names min_seconds
+  expect_same_bits(tmp / "whole", tmp / "out");
+}
+
 TEST(Resume, ALevelIsWorthMoreThanAnAlignment) {
   const TemporaryFolder tmp;
   ExperimentOptions o = experiment();

@@ -101,18 +101,23 @@ void expect_exact_round_trip() {
 TEST(DeformationFileTest, RoundTripIsExactInThePlane) { expect_exact_round_trip<2>(); }
 TEST(DeformationFileTest, RoundTripIsExactInSpace) { expect_exact_round_trip<3>(); }
 
-TEST(DeformationFileTest, TheBendOfTheReferenceComesBack) {
-  const TemporaryFolder tmp;
+Deformation<3> bent_deformation() {
   Deformation<3> d = some_deformation<3>();
   const Surface<3> corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1 / 3.0}},
                           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
   d.bend =
       std::make_shared<const SurfaceBend<3>>(corner, std::vector<Vec<3>>{{5, 0, 0}, {5, 1, 0}, {4, 0, 0}, {5, 0, 0.1}});
+  return d;
+}
+
+TEST(DeformationFileTest, TheBendOfTheReferenceComesBack) {
+  const TemporaryFolder tmp;
+  Deformation<3> d = bent_deformation();
   write_deformation(tmp / "bent.vtu", d);
   const Deformation<3> read = read_deformation<3>(tmp / "bent.vtu");
   ASSERT_TRUE(read.bend);
-  EXPECT_EQ(read.bend->surface().vertices, corner.vertices);
-  EXPECT_EQ(read.bend->surface().facets, corner.facets);
+  EXPECT_EQ(read.bend->surface().vertices, d.bend->surface().vertices);
+  EXPECT_EQ(read.bend->surface().facets, d.bend->surface().facets);
   EXPECT_EQ(read.bend->bent().vertices, d.bend->bent().vertices);
   const Vec<3> x(0.2, 0.1, -0.05);
   EXPECT_EQ(read.apply(x), d.apply(x));
@@ -251,6 +256,67 @@ TEST(DeformationFileTest, AHeadThatLiesIsAnInputError) {
     const std::string message = message_of<InputError>([&] { read_deformation<3>(tmp / "changed.vtu"); });
     EXPECT_NE(message.find("changed.vtu: damaged"), std::string::npos) << message;
   }
+}
+
+// An array of the file, in which it is appended, given as text.
+void put_with_array(const std::string& path, const std::string& whole, const std::string& name,
+                    const std::string& values) {
+  const std::size_t begin = whole.rfind("<DataArray", whole.find("Name=\"" + name + "\"")),
+                    end = whole.find("/>", begin);
+  std::string tag = whole.substr(begin, end - begin);
+  tag.replace(tag.find("format=\"appended\""), 17, "format=\"ascii\"");
+  put_changed(path, whole, whole.substr(begin, end + 2 - begin), tag + ">" + values + "</DataArray>");
+}
+
+TEST(DeformationFileTest, ADamagedBendIsAnInputErrorAndNeverLeftOut) {
+  const TemporaryFolder tmp;
+  const Deformation<3> d = bent_deformation();
+  write_deformation(tmp / "whole.vtu", d);
+  const std::string whole = contents_of(tmp / "whole.vtu"), sizes = "bend_sizes", facets = "bend_facets",
+                    vertices = "bend_vertices";
+  const auto expect_refused = [&](const std::string& name) {
+    const std::string message = message_of<InputError>([&] { read_deformation<3>(tmp / "changed.vtu"); });
+    EXPECT_NE(message.find("changed.vtu: damaged"), std::string::npos) << message;
+    EXPECT_NE(message.find(name), std::string::npos) << message;
+  };
+  for (const std::string& name : {sizes, vertices, facets}) {
+    SCOPED_TRACE(name + " is not there");
+    put_changed(tmp / "changed.vtu", whole, "Name=\"" + name + "\"", "Name=\"another\"");
+    expect_refused(name);
+  }
+  put_with_array(tmp / "same.vtu", whole, facets, "0 2 1 0 1 3 0 3 2 1 2 3");
+  EXPECT_EQ(read_deformation<3>(tmp / "same.vtu").bend->surface().facets, d.bend->surface().facets);
+  struct Case {
+    std::string name, values, blamed;
+  };
+  const std::string numbers = "1 2 3 4 5 6 1 2 3 4 5 6 1 2 3 4 5 6 1 2 3 4 5";
+  const Case cases[] = {{facets, "0 2 1 0 1 3 0 3 2 1 2 4", facets},
+                        {facets, "0 2 1 0 1 3 0 3 2 1 2 -1", facets},
+                        {facets, "0 2 1 0 1 3 0 3 2 1 2 nan", facets},
+                        {facets, "0 2 1 0 1 3 0 3 2 1 2 0.5", facets},
+                        {facets, "0 2 1 0 1 3 0 3 2 1 2", facets},
+                        {facets, "0 2 1 0 1 3 0 3 2 1 2 3 1 2 3", facets},
+                        {vertices, numbers + " nan", vertices},
+                        {vertices, numbers + " inf", vertices},
+                        {vertices, numbers, vertices},
+                        {sizes, "4 3", facets},
+                        {sizes, "5 4", vertices},
+                        {sizes, "4 2147483647", facets},
+                        {sizes, "2147483647 4", vertices},
+                        {sizes, "1e300 4", sizes},
+                        {sizes, "4 0", sizes},
+                        {sizes, "-4 4", sizes},
+                        {sizes, "4.5 4", sizes},
+                        {sizes, "nan 4", sizes}};
+  for (const auto& [name, values, blamed] : cases) {
+    SCOPED_TRACE(name + ": " + values);
+    put_with_array(tmp / "changed.vtu", whole, name, values);
+    expect_refused(blamed);
+  }
+  write_deformation(tmp / "plane.vtu", some_deformation<2>());
+  put_changed(tmp / "changed.vtu", contents_of(tmp / "plane.vtu"), "Name=\"placement_scale\"",
+              "Name=\"placement_scale\"/><DataArray type=\"Float64\" Name=\"bend_sizes\" format=\"ascii\"");
+  EXPECT_THROW(read_deformation<2>(tmp / "changed.vtu"), InputError);
 }
 
 // Names are compared pair by pair: 100,000 took a minute.
