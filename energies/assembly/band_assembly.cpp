@@ -83,7 +83,7 @@ void MatchingEnergy<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec
       if (q + 1 < shape_.points.size()) next = target_->find(evaluator.position(q + 1));
       if (autodiff::sum_lanes(point.weight) == 0) continue;
       look_up<Dim, WithGradient>(*target_, point.weight, located, evaluator, q, p);
-      for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference[i];
+      for (int i = 0; i < n_reference; ++i) p.passive[i] = point.reference(i);
       if (band_sums)
         band_sums->add<Dim>(point.weight, p.passive.data() + 1, p.active.data() + 1, p.active.data() + n_target);
       if (reads_phi) std::ranges::copy(evaluator.position(q), p.active.begin() + n_without_phi);

@@ -58,12 +58,14 @@ template class UserFields<3>;
 
 namespace {
 
+/// From numbers as the band keeps them.
 template <int Dim>
-ReferencePoint<Dim, double> unpacked(const std::array<double, Band<Dim>::n_reference>& flat) {
+ReferencePoint<Dim, double> unpacked(const std::array<float, Band<Dim>::n_reference>& kept) {
   ReferencePoint<Dim, double> x;
-  x.d1 = flat[0];
-  std::copy_n(flat.begin() + 1, Dim, x.n1.v.begin());
-  std::copy_n(flat.begin() + 1 + Dim, n_symmetric<Dim>, x.r1.v.begin());
+  const auto at = [&](int i) { return static_cast<double>(kept[static_cast<std::size_t>(i)]); };
+  x.d1 = at(0);
+  for (int i = 0; i < Dim; ++i) x.n1.v[i] = at(1 + i);
+  for (int i = 0; i < n_symmetric<Dim>; ++i) x.r1.v[i] = at(1 + Dim + i);
   return x;
 }
 
@@ -78,7 +80,9 @@ ElementFields<Dim>::ElementFields(const Element<Dim>& element, const GeometryPai
     const auto values = shapes.reference.value(element.corner + element.side * q.xi);
     const auto flat = Band<Dim>::reference_point(values, shapes.root_is_inverse);
     meets_band = meets_band || std::abs(flat[0]) < sigma;
-    band.push_back({bump(flat[0], sigma) * volume() * q.weight, unpacked<Dim>(flat)});
+    std::array<float, Band<Dim>::n_reference> kept;
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = static_cast<float>(flat[i]);
+    band.push_back({bump(flat[0], sigma) * volume() * q.weight, unpacked<Dim>(kept)});
   }
   if (!meets_band) band.clear();
 }
@@ -92,9 +96,9 @@ void ElementFields<Dim>::assign(const Element<Dim>& element, const Band<Dim>& of
   band.resize(lane == no_index ? 0 : s.points.size());
   for (std::size_t q = 0; q < band.size(); ++q) {
     const auto& point = of.point(static_cast<std::size_t>(lane / Band<Dim>::n_lanes), q);
-    std::array<double, Band<Dim>::n_reference> flat;
-    for (std::size_t i = 0; i < flat.size(); ++i) flat[i] = point.reference[i][lane % Band<Dim>::n_lanes];
-    band[q] = {point.weight[lane % Band<Dim>::n_lanes], unpacked<Dim>(flat)};
+    std::array<float, Band<Dim>::n_reference> kept;
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = point.kept[i][lane % Band<Dim>::n_lanes];
+    band[q] = {point.weight[lane % Band<Dim>::n_lanes], unpacked<Dim>(kept)};
   }
 }
 

@@ -179,7 +179,7 @@ Band<Dim>::Band(std::span<const Element<Dim>> elements, const ShapeTable<Dim>& s
           const auto at_points = reference_point(values.packs()[first / n_lanes], root_is_inverse);
           for (std::size_t q = first; q < std::min(first + n_lanes, n_points_); ++q) {
             Point& point = points_[b * n_points_ + q];
-            for (int i = 0; i < n_reference; ++i) point.reference[i][lane] = at_points[i][q - first];
+            for (int i = 0; i < n_reference; ++i) point.kept[i][lane] = static_cast<float>(at_points[i][q - first]);
             const double d = at_points[0][q - first];
             point.weight[lane] = counts ? bump(d, sigma) * volume * shape.points[q].weight : 0.0;
             sum.measure += point.weight[lane];

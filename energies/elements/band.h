@@ -23,7 +23,11 @@ class Band {
   /// One local quadrature point of eight elements.
   struct Point {
     autodiff::Pack weight;  ///< eta_sigma(d1) h^Dim w_q; 0 in lanes where the point is outside the band
-    std::array<autodiff::Pack, n_reference> reference;
+    /// Where reference(i) is kept: in single precision, as the field from which it is.
+    typedef float Kept __attribute__((vector_size(sizeof(float) * autodiff::pack_size)));
+    std::array<Kept, n_reference> kept;
+    /// Component i of ReferencePoint.
+    autodiff::Pack reference(int i) const { return __builtin_convertvector(kept[i], autodiff::Pack); }
   };
   struct Batch {
     std::array<Index, n_lanes> element;  ///< number in Unknowns::elements(); where there are fewer than lanes the

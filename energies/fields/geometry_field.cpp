@@ -43,7 +43,7 @@ GeometryField<Dim>::GeometryField(const Octree<Dim>& grid, std::span<const doubl
         static_cast<std::size_t>(grid.n_nodes()),
         [&](std::size_t node) {
           for (std::size_t i = 0; i < n_values; ++i)
-            at(static_cast<Index>(node), i) = nodal(static_cast<Index>(node), i);
+            at(static_cast<Index>(node), i) = static_cast<float>(nodal(static_cast<Index>(node), i));
         },
         4096);
   });
@@ -70,10 +70,10 @@ GeometryField<Dim> GeometryField<Dim>::smooth(const Octree<Dim>& grid, std::span
 template <int Dim>
 template <class Put>
 void GeometryField<Dim>::store(std::size_t n_rows, const Put& put) {
-  const auto main = std::make_shared<std::vector<Pack>>(n_rows, Pack{});
-  const auto rest = std::make_shared<std::vector<Pair>>(n_rest > 0 ? n_rows : 0, Pair{});
-  const auto mains = reinterpret_cast<double*>(main->data()), rests = reinterpret_cast<double*>(rest->data());
-  put([=](Index row, std::size_t i) -> double& {
+  const auto main = std::make_shared<std::vector<KeptPack>>(n_rows, KeptPack{});
+  const auto rest = std::make_shared<std::vector<KeptPair>>(n_rest > 0 ? n_rows : 0, KeptPair{});
+  const auto mains = reinterpret_cast<float*>(main->data()), rests = reinterpret_cast<float*>(rest->data());
+  put([=](Index row, std::size_t i) -> float& {
     const auto r = static_cast<std::size_t>(row);
     return i < autodiff::pack_size ? mains[r * autodiff::pack_size + i] : rests[r * n_rest + i - autodiff::pack_size];
   });
@@ -116,7 +116,7 @@ inline void GeometryField<Dim>::spline(const LocatedPoint& p, CoefficientRow* re
   // Sums one array of coefficients at a time: first the packs, then the pairs.
   const auto sum = [&](const auto& from, auto&& put) {
     sum_spline<Dim, WithGradient>(
-        factors, [&](int n) { return from[local[n]]; }, [](double x) { return x; }, put);
+        factors, [&](int n) { return widened(from[local[n]]); }, [](double x) { return x; }, put);
   };
   sum(*main_, [&](int i, const Pack& x) { result[i].main = x; });
   if constexpr (n_rest > 0) sum(*rest_, [&](int i, const Pair& x) { result[i].rest = x; });
@@ -126,10 +126,11 @@ template <int Dim>
 template <bool WithGradient>
 inline void GeometryField<Dim>::multilinear(const LocatedPoint& p, CoefficientRow* result) const {
   const auto& nodes = grid_->cell(p.leaf).nodes;
-  const auto collapse = [&]<class Part>(const Part* rows, auto&& put) {
+  const auto collapse = [&](const auto* rows, auto&& put) {
+    using Part = decltype(widened(rows[0]));
     constexpr int n = n_corners<Dim>;
     std::array<Part, n> v;
-    for (int c = 0; c < n; ++c) v[c] = rows[nodes[c]];
+    for (int c = 0; c < n; ++c) v[c] = widened(rows[nodes[c]]);
     std::array<std::array<Part, n / 2>, Dim> d;
     for (int k = 0, left = n / 2; k < Dim; ++k, left /= 2)
       for (int i = 0; i < left; ++i) {

@@ -86,6 +86,13 @@ class GeometryField {
     Pack main;
     Pair rest;
   };
+  // They are kept in single precision, which halves the memory and what a look-up reads of it. Next to a shape all
+  // values are small or of order 1, so that rounding is far below the error of interpolation. It also bounds by how
+  // much derivatives of smooth fields jump where the level changes: by 1e-7 of their size.
+  typedef float KeptPack __attribute__((vector_size(32)));
+  typedef float KeptPair __attribute__((vector_size(8)));
+  static Pack widened(const KeptPack& x) { return __builtin_convertvector(x, Pack); }
+  static Pair widened(const KeptPair& x) { return __builtin_convertvector(x, Pair); }
   struct LocatedPoint {
     Index leaf;      ///< number of the leaf in the octree or the SplineSpace
     Vec<Dim> t;      ///< position within the leaf, in [0, 1]
@@ -98,7 +105,7 @@ class GeometryField {
   void store(std::size_t n_rows, const Put& put);
   LocatedPoint locate(const Vec<Dim>& y) const;
   double component(Index row, int i) const {
-    return i < autodiff::pack_size ? (*main_)[row][i] : (*rest_)[row][i - autodiff::pack_size];
+    return static_cast<double>(i < autodiff::pack_size ? (*main_)[row][i] : (*rest_)[row][i - autodiff::pack_size]);
   }
   // result[0] gets the values and result[1 + k] the derivatives by coordinate k.
   template <bool WithGradient>
@@ -127,8 +134,8 @@ class GeometryField {
   const Octree<Dim>* grid_ = nullptr;                ///< null for a smooth field
   std::shared_ptr<const SplineSpace<Dim>> splines_;  ///< null for a multilinear field
   /// By node or by coefficient; shared by copies of the field.
-  std::shared_ptr<const std::vector<Pack>> main_;
-  std::shared_ptr<const std::vector<Pair>> rest_;
+  std::shared_ptr<const std::vector<KeptPack>> main_;
+  std::shared_ptr<const std::vector<KeptPair>> rest_;
 };
 
 /// The fields of both shapes that the energy on one grid reads.

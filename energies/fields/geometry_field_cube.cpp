@@ -64,7 +64,7 @@ bool GeometryField<Dim>::look_up_cube(const Vec<Dim>& corner, double side, std::
   constexpr std::size_t n_main = std::min<std::size_t>(n_values, lanes);
   std::array<Pack, most> main;
   sum_on_grid<Dim>(
-      weights, n, [&](int c) { return (*main_)[static_cast<std::size_t>(local[c])]; }, main.data());
+      weights, n, [&](int c) { return widened((*main_)[static_cast<std::size_t>(local[c])]); }, main.data());
   for (std::size_t p = 0; p < values.size(); ++p) {
     std::array<Pack, lanes> rows;  // by point; the last one fills up
     for (std::size_t lane = 0; lane < lanes; ++lane) rows[lane] = main[std::min(p * lanes + lane, n_points - 1)];
@@ -74,7 +74,7 @@ bool GeometryField<Dim>::look_up_cube(const Vec<Dim>& corner, double side, std::
   if constexpr (n_rest > 0) {
     std::array<Pair, most> rest;
     sum_on_grid<Dim>(
-        weights, n, [&](int c) { return (*rest_)[static_cast<std::size_t>(local[c])]; }, rest.data());
+        weights, n, [&](int c) { return widened((*rest_)[static_cast<std::size_t>(local[c])]); }, rest.data());
     for (std::size_t i = 0; i < values.size() * lanes; ++i)
       for (std::size_t r = 0; r < n_rest; ++r)
         values[i / lanes][n_main + r][i % lanes] = rest[std::min(i, n_points - 1)][r];

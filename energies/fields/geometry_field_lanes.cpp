@@ -60,7 +60,7 @@ inline void GeometryField<Dim>::spline_lanes(const Pack& weight, const LocatedPo
     const auto sum = [&](const auto* from, auto&& put) {
       const auto of_lane = [&](const Pack& x) { return reinterpret_cast<const double*>(&x)[lane]; };
       sum_spline<Dim, WithGradient>(
-          factors, [&](int n) { return from[c[n]]; }, of_lane, put);
+          factors, [&](int n) { return widened(from[c[n]]); }, of_lane, put);
     };
     sum(main_->data(), [&](int i, const Pack& x) { rows.main[i][lane] = x; });
     if constexpr (n_rest > 0)

@@ -48,8 +48,8 @@ void EnergyHessian<Dim>::apply(std::span<const double> x, std::span<double> y) c
 template <int Dim>
 void EnergyHessian<Dim>::invert_block(std::size_t unknown) {
   Mat<Dim> block = sum_->diagonal(unknown);
-  block.diagonal().array() += 1e-6 * block.trace() + 1e-300;
-  inverse_blocks_[unknown] = block.inverse();
+  block.diagonal().array() += 1e-6 * block.trace() + 1e-30;
+  inverse_blocks_[unknown] = block.inverse().template cast<float>();
 }
 
 template <int Dim>
@@ -66,7 +66,7 @@ void EnergyHessian<Dim>::precondition(std::span<const double> r, std::span<doubl
       [&](std::size_t i) {
         Vec<Dim> v;
         for (int k = 0; k < Dim; ++k) v[k] = r[i * Dim + k];
-        v = (inverse_blocks_[i] * v).eval();
+        v = (inverse_blocks_[i].template cast<double>() * v).eval();
         for (int k = 0; k < Dim; ++k) z[i * Dim + k] = v[k];
       },
       8192);

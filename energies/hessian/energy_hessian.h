@@ -98,12 +98,13 @@ class EnergyHessian {
 
   const MatchingEnergy<Dim>* energy_;
   const Unknowns<Dim>* unknowns_;
-  std::optional<NodeMatrix<Dim>> sum_;    ///< of the elements' matrices; its pattern is found when it is first wanted
-  std::vector<float> traces_;             ///< of the elements' matrices without damping
-  bool folds_cost_ = false;               ///< is there a term that forbids them?
-  std::vector<Margin> margins_;           ///< by eight elements, at the phi of the last assemble()
-  std::vector<Mat<Dim>> inverse_blocks_;  ///< of each unknown node
-  std::vector<Vec<Dim>> nodal_;           ///< scratch of elements_beyond_margin() and extend()
+  std::optional<NodeMatrix<Dim>> sum_;  ///< of the elements' matrices; its pattern is found when it is first wanted
+  std::vector<float> traces_;           ///< of the elements' matrices without damping
+  bool folds_cost_ = false;             ///< is there a term that forbids them?
+  std::vector<Margin> margins_;         ///< by eight elements, at the phi of the last assemble()
+  /// Of each unknown node, in single precision as the matrix.
+  std::vector<Eigen::Matrix<float, Dim, Dim>> inverse_blocks_;
+  std::vector<Vec<Dim>> nodal_;                       ///< scratch of elements_beyond_margin() and extend()
   std::vector<std::vector<std::uint8_t>> is_active_;  ///< by term and pair: was it added by extend()?
 };
 

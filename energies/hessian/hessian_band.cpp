@@ -152,9 +152,9 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
       target.look_up(point.weight, target.find(position), p.active.data(), p.derivative);
       std::ranges::copy(position, p.active.begin() + Arrays::n_without_phi);
       evaluator.jacobian(q, p.active.data() + Arrays::n_target);
-      for (int i = 0; i < Arrays::n_reference; ++i) p.passive[i] = point.reference[i];
+      for (int i = 0; i < Arrays::n_reference; ++i) p.passive[i] = point.reference(i);
       std::array<Pack, Dim> n1;
-      for (int a = 0; a < Dim; ++a) n1[a] = point.reference[1 + a];
+      for (int a = 0; a < Dim; ++a) n1[a] = point.reference(1 + a);
       const auto t1 = tangent_basis<Dim>(n1), t2 = tangent_basis<Dim>(unit_normal<Dim>(p.active.data() + 1));
       const BandModelPoint<Dim> at{p, point.weight, t1, t2};
       SquarePack<Variables::n> h{};

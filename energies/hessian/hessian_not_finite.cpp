@@ -95,7 +95,7 @@ std::optional<Vec<Dim>> EnergyHessian<Dim>::model_point(std::size_t t, std::size
       energy_->target().look_up(point.weight, energy_->target().find(position), p.active.data(), p.derivative);
       std::ranges::copy(position, p.active.begin() + Arrays::n_without_phi);
       evaluator.jacobian(q, p.active.data() + Arrays::n_target);
-      for (int i = 0; i < Arrays::n_reference; ++i) p.passive[i] = point.reference[i];
+      for (int i = 0; i < Arrays::n_reference; ++i) p.passive[i] = point.reference(i);
       const TangentBasis<Dim> unused{};
       SquarePack<BandModelPoint<Dim>::n_all> h{};
       const BandModelPoint<Dim> at{p, point.weight, unused, unused};

@@ -7,9 +7,14 @@
 #include "grid/fields/spline_space.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 namespace shellmatch {
+
+/// The numbers that a store of coefficients keeps.
+template <class At>
+using Kept = std::remove_reference_t<std::invoke_result_t<const At&, Index, std::size_t>>;
 
 template <int Dim>
 template <std::size_t begin, std::size_t n, class Nodal>
@@ -38,7 +43,7 @@ void SplineSpace<Dim>::quasi_interpolate(const Nodal& nodal, const At& at) const
         row[i] += -0.25 * means[cell_of(above)][i];
       }
     }
-    for (std::size_t i = 0; i < n; ++i) at(c, begin + i) = row[i];
+    for (std::size_t i = 0; i < n; ++i) at(c, begin + i) = static_cast<Kept<At>>(row[i]);
   });
 }
 
@@ -56,21 +61,23 @@ void SplineSpace<Dim>::coefficients(const Nodal& nodal, const At& at) const {
       const Index c = number_of(static_cast<Index>(cell));
       if (made_[c] != Made::sampled) return;
       const auto row = mean<n_quasi_interpolated, n - n_quasi_interpolated>(static_cast<Index>(cell), nodal);
-      for (std::size_t i = 0; i < row.size(); ++i) at(c, n_quasi_interpolated + i) = row[i];
+      for (std::size_t i = 0; i < row.size(); ++i) at(c, n_quasi_interpolated + i) = static_cast<Kept<At>>(row[i]);
     });
   for (const Derived& d : derived_) {
     if (d.outside) {
       for (std::size_t i = 0; i < n; ++i) {
-        const double first = at(d.source[0], i);
-        at(d.coefficient, i) = i < n_quasi_interpolated ? first + first - at(d.source[1], i) : first;
+        const double first = at(d.source[0], i), second = at(d.source[1], i);
+        at(d.coefficient, i) = static_cast<Kept<At>>(i < n_quasi_interpolated ? first + first - second : first);
       }
       continue;
     }
+    std::array<double, n> sum{};
     for (int c = 0; c < n_corners<Dim>; ++c) {
       double weight = 1;
       for (int k = 0; k < Dim; ++k) weight *= (c >> k) & 1 ? 0.25 : 0.75;
-      for (std::size_t i = 0; i < n; ++i) at(d.coefficient, i) += weight * at(d.source[c], i);
+      for (std::size_t i = 0; i < n; ++i) sum[i] += weight * static_cast<double>(at(d.source[c], i));
     }
+    for (std::size_t i = 0; i < n; ++i) at(d.coefficient, i) = static_cast<Kept<At>>(sum[i]);
   }
 }
 

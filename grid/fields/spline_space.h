@@ -73,7 +73,7 @@ class SplineSpace {
   /// neighbours and from the boundary, and linear ones everywhere: error of third order. The others are the means over
   /// the corners of the cells, which stay within the range of the nodal values and so keep matrices positive definite:
   /// error of second order. nodal(k, i) is component i at node k; at(c, i) is a reference to component i of coefficient
-  /// c, which the caller has set to 0.
+  /// c, a number of single or double precision.
   /// Defined in grid/fields/spline_coefficients.h. \pre forget_grid() has not been called
   template <std::size_t n, std::size_t n_quasi_interpolated, class Nodal, class At>
   void coefficients(const Nodal& nodal, const At& at) const;

@@ -101,6 +101,7 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
       {  // frees the level's matrices before the output
         clock.start("set-up");
         LevelMinimisation<Dim> problem(grid, *geometry, options, points, observed);
+        return_freed_memory();
         clock.start("minimisation");
         result.levels.push_back(
             problem.minimise(level, result.phi, std::exchange(is_start, false), observer, result.interrupted));

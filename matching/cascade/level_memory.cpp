@@ -18,7 +18,7 @@ struct BytesPer {
   static constexpr double vector = 8 * Dim;                    // one number for each unknown, by free node
   static constexpr double coefficients =
       Dim == 2 ? 120 : 200;  // at the nodes of phi, where the shapes have no grids of their own
-  static constexpr double new_field_node = Dim == 2 ? 400 : 420;  // tree, distance, its second derivatives, splines
+  static constexpr double new_field_node = Dim == 2 ? 400 : 320;  // tree, distance, its second derivatives, splines
 };
 
 // Vectors that a method keeps while it runs, at the most.

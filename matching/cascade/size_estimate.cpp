@@ -13,14 +13,14 @@ namespace {
 
 // Measured with Newton's method, whose matrix needs the most, and rounded up (docs/limits.md): fields, elements of the
 // band, tables of the tree and vectors of the solver. At the start: the program with a shape and what pictures need.
-constexpr double bytes_per_node = 1000;
+constexpr double bytes_per_node = 800;
 constexpr double bytes_at_start = 1e8;
 constexpr double disk_bytes_per_node = 250;
 
 // A shape's own grid is about twice as wide as the layer of cells that meet the shape. Memory: tree, distances and
 // splines.
 constexpr double field_layers = 2;
-constexpr double bytes_per_field_node = 420;
+constexpr double bytes_per_field_node = 320;
 
 // Of the estimated memory beyond that at the start, what a run needs at least: the numbers of nodes are estimated from
 // above.

@@ -2,6 +2,9 @@
 
 #include "base/error.h"
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -37,6 +40,12 @@ std::uint64_t resident_memory_bytes(const std::string& process) {
   std::ifstream statm(fmt::format("/proc/{}/statm", process));
   std::uint64_t all = 0, resident = 0;
   return statm >> all >> resident ? resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+void return_freed_memory() {
+#if defined(__GLIBC__)
+  static_cast<void>(malloc_trim(0));
+#endif
 }
 
 std::uint64_t memory_limit_bytes() { return memory_limit; }

@@ -13,6 +13,10 @@ std::uint64_t peak_memory_bytes();
 /// Resident memory in bytes of the process with this number, "self" being this one; 0 if unknown.
 std::uint64_t resident_memory_bytes(const std::string& process = "self");
 
+/// Gives memory that has been freed back to the system, where the allocator can: it keeps holes between what is in use.
+/// Call it before a phase that needs much for long.
+void return_freed_memory();
+
 /// The resident memory in bytes that the user has given to this process; 0 means all that there is. The runs of a study
 /// and the estimates of a matching keep to it; apps/process/limits.h ends a command that exceeds it.
 std::uint64_t memory_limit_bytes();

@@ -39,7 +39,7 @@ void check_moments() {
     for (std::size_t q = 0; q < p.energy.shape().points.size(); ++q)
       for (int lane = 0; lane < Band<Dim>::n_lanes; ++lane) {
         const auto& point = band.point(b, q);
-        const double weight = point.weight[lane], d1 = point.reference[0][lane];
+        const double weight = point.weight[lane], d1 = point.reference(0)[lane];
         n_active += weight > 0;
         for (int k = 0; k < 3; ++k) moments[k] += weight * std::pow(d1 / sigma, k);
         EXPECT_EQ(weight > 0, lane < band.batches()[b].n_elements && std::abs(d1) < sigma);

@@ -126,7 +126,8 @@ TYPED_TEST(Gradient, RemainderIsOfSecondOrderAcrossCellsOfASmoothTarget) {
     EXPECT_TRUE(has_derivative(line, line.derivative()));
     EXPECT_FALSE(has_derivative(line, 1.01 * line.derivative()));
     Along<D> from_faces(smooth, on_faces, only(term), 2), with_kinks(linear, on_faces, only(term), 2);
-    EXPECT_TRUE(has_derivative(from_faces, from_faces.derivative()));
+    // The derivatives on both sides of a face agree up to single precision, which shorter steps would see.
+    EXPECT_TRUE(has_derivative(from_faces, from_faces.derivative(), {.decades = 2}));
     EXPECT_FALSE(has_derivative(with_kinks, with_kinks.derivative()));
   }
 }
@@ -159,7 +160,7 @@ class FrozenMembrane {
       TargetPoint<Dim, T> frozen;
       for (int k = 0; k < Dim; ++k) frozen.n2[k] = T(p.n2[k]);
       ReferencePoint<Dim, double> x{};
-      for (int k = 0; k < Dim; ++k) x.n1[k] = point.reference[1 + k][lane_];
+      for (int k = 0; k < Dim; ++k) x.n1[k] = point.reference(1 + k)[lane_];
       const Material<double> material{problem_.options.lambda, problem_.options.mu};
       *energy += point.weight[lane_] * band_density<Membrane<Dim>>(frozen, dphi, x, material);
     }
