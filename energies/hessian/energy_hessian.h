@@ -104,7 +104,6 @@ class EnergyHessian {
   std::vector<Margin> margins_;         ///< by eight elements, at the phi of the last assemble()
   /// Of each unknown node, in single precision as the matrix.
   std::vector<Eigen::Matrix<float, Dim, Dim>> inverse_blocks_;
-  std::vector<Vec<Dim>> nodal_;                       ///< scratch of elements_beyond_margin() and extend()
   std::vector<std::vector<std::uint8_t>> is_active_;  ///< by term and pair: was it added by extend()?
 };
 

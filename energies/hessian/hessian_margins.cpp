@@ -73,8 +73,8 @@ std::vector<ElementDamping> EnergyHessian<Dim>::elements_beyond_margin(std::span
                                                                        std::span<const double> d) {
   if (!folds_cost_) return {};
   static const double unit = laplacian_trace<Dim>();
-  nodal_.resize(phi.size(), Vec<Dim>::Zero());  // where nodes are fixed it stays 0
-  unknowns_->expand(d, nodal_);
+  std::vector<Vec<Dim>> nodal(phi.size(), Vec<Dim>::Zero());  // where nodes are fixed it stays 0
+  unknowns_->expand(d, nodal);
   const auto elements = unknowns_->elements();
   const std::size_t n_batches = n_chunks(elements.size(), pack_size);
   std::vector<std::vector<ElementDamping>> of_chunk(n_chunks(n_batches, batches_per_chunk));
@@ -82,7 +82,7 @@ std::vector<ElementDamping> EnergyHessian<Dim>::elements_beyond_margin(std::span
     ElementBatch<Dim> here, step;
     for (std::size_t b = chunk.begin; b < chunk.end; ++b) {
       const std::size_t first = b * pack_size;
-      const auto n = static_cast<int>(step.load_run(elements, nodal_, first));
+      const auto n = static_cast<int>(step.load_run(elements, nodal, first));
       const Pack before = margins_[b].least_determinant;
       const Pack certain = before - determinant_change<Dim>(margins_[b].largest_entry, step.largest_entry());
       if (std::none_of(&certain[0], &certain[0] + n, [](double x) { return !(x >= safe_determinant); })) continue;

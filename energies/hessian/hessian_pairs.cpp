@@ -31,15 +31,15 @@ std::size_t EnergyHessian<Dim>::extend(std::span<const Vec<Dim>> phi, std::span<
   const EnergyTerms<Dim>& terms = energy_->terms();
   const auto elements = unknowns_->elements();
   is_active_.resize(terms.size());
-  nodal_.resize(phi.size(), Vec<Dim>::Zero());  // where nodes are fixed it stays 0
-  unknowns_->expand(d, nodal_);
+  std::vector<Vec<Dim>> nodal(phi.size(), Vec<Dim>::Zero());  // where nodes are fixed it stays 0
+  unknowns_->expand(d, nodal);
   std::size_t n = 0;
   for (std::size_t t = 0; t < terms.size(); ++t) {
     const auto* points = std::get_if<PointCode<Dim>>(&terms[t].term.code);
     if (!points || !(weights[t] > 0)) continue;
     const auto pairs = points->pairs.pairs_of(0, elements.size());
     is_active_[t].resize(pairs.size(), 0);
-    for (const ActivatedPair<Dim>& one : points->pairs.activated(elements, phi, nodal_, weights[t])) {
+    for (const ActivatedPair<Dim>& one : points->pairs.activated(elements, phi, nodal, weights[t])) {
       if (std::exchange(is_active_[t][one.pair], 1) != 0) continue;
       ++n;
       const LocatedPair<Dim>& pair = pairs[one.pair];

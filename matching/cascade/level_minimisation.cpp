@@ -159,6 +159,7 @@ std::vector<double> LevelMinimisation<Dim>::minimise_once(const LevelStart& star
                                                           const StopOptions& stop, std::vector<Vec<Dim>>& phi,
                                                           Observer& observer, LevelResult& result) {
   std::vector<double> x = problem.unknowns_of(phi);
+  std::vector<Vec<Dim>>().swap(phi);  // the problem has the fixed nodes
   observer.minimisation_started(start);
   std::vector<double> terms;
   result.last = minimize_with_fallback(

@@ -37,6 +37,8 @@ double longer_step(const LinePoint& before, const LinePoint& low) {
 }  // namespace
 
 void Line::lay(std::span<const double> base, std::span<const double> direction, double value, double slope) {
+  x.resize(base.size());
+  gradient.resize(base.size());
   base_ = base;
   direction_ = direction;
   start_ = LinePoint{};

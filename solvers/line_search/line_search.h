@@ -44,11 +44,17 @@ struct LinePoint {
 /// them with its own vectors once a step is accepted.
 class Line {
  public:
-  explicit Line(MinimizationRun& run) : x(run.size()), gradient(run.size()), run_(run) {}
+  explicit Line(MinimizationRun& run) : run_(run) {}
 
   /// Sets the line through `base` along `direction`; both must not change during the search. `slope` is the
   /// product of gradient and direction, negative.
   void lay(std::span<const double> base, std::span<const double> direction, double value, double slope);
+
+  /// Frees x and gradient until the next lay().
+  void release() {
+    std::vector<double>().swap(x);
+    std::vector<double>().swap(gradient);
+  }
 
   const LinePoint& start() const { return start_; }
   LinePoint at(double alpha, bool with_gradient);

@@ -14,14 +14,16 @@ namespace shellmatch {
 
 namespace {
 
-/// Preconditioned conjugate gradients for H d = -g, and vectors that are kept over the steps.
+/// Preconditioned conjugate gradients for H d = -g. Its vectors are there during a solution alone: what follows needs
+/// as many.
 class LinearSolver {
  public:
   LinearSolver(const SecondOrderObjective& objective, int max_iterations, std::size_t n)
-      : objective_(objective), max_iterations_(max_iterations), r_(n), z_(n), p_(n), hp_(n) {}
+      : objective_(objective), max_iterations_(max_iterations), n_(n) {}
 
   /// From d = 0, until the residual is this share of what it was, in the preconditioner's norm.
   void solve(std::span<const double> g, std::span<double> d, double tolerance) {
+    take_vectors();
     std::fill(d.begin(), d.end(), 0.0);
     for_chunks(r_.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) r_[i] = -g[i];
@@ -30,10 +32,12 @@ class LinearSolver {
     const double rz = dot(r_, z_);
     target_ = tolerance * tolerance * rz;
     if (iterate(d, rz) == 0) std::copy(z_.begin(), z_.end(), d.begin());
+    free_vectors();
   }
 
   /// The same for H and g that have changed here and there since d was found: from d, to the same residual.
   void solve_again(std::span<const double> g, std::span<double> d) {
+    take_vectors();
     objective_.apply_second_derivative(d, hp_);
     const double slope = dot(g, d), curvature = dot(d, hp_);
     // The model g.d + d.Hd / 2 only falls from where this begins: where it is negative there is descent in the end.
@@ -46,11 +50,19 @@ class LinearSolver {
     });
     objective_.precondition(r_, z_);
     iterate(d, dot(r_, z_));
+    free_vectors();
   }
 
   long n_iterations() const { return n_iterations_; }  ///< so far
 
  private:
+  void take_vectors() {
+    for (LargeVector<double>* v : {&r_, &z_, &p_, &hp_}) v->resize(n_);
+  }
+  void free_vectors() {
+    for (LargeVector<double>* v : {&r_, &z_, &p_, &hp_}) LargeVector<double>().swap(*v);
+  }
+
   // From the residual r_ of d, preconditioned z_; rz is their product. Returns the number of iterations.
   int iterate(std::span<double> d, double rz) {
     std::copy(z_.begin(), z_.end(), p_.begin());
@@ -80,6 +92,7 @@ class LinearSolver {
 
   const SecondOrderObjective& objective_;
   int max_iterations_;
+  std::size_t n_;
   long n_iterations_ = 0;
   double target_ = 0;
   LargeVector<double> r_, z_, p_, hp_;
@@ -152,6 +165,7 @@ MinimizerSummary Newton::minimize(Objective& objective, std::vector<double>& x, 
     }
     std::swap(x, line.x);
     std::swap(g, line.gradient);
+    line.release();
     ratio = found.point.gradient_norm / gradient_norm;
     const double gain = value - found.point.value;
     const bool is_as_predicted = found.point.alpha == 1 && std::abs(gain + 0.5 * size.slope) < 0.1 * gain;

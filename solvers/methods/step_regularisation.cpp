@@ -42,14 +42,14 @@ bool StepRegularisation::regularise(SecondOrderObjective& objective, std::span<c
 void StepRegularisation::contract(SecondOrderObjective& objective, std::span<const double> x, std::span<const double> g,
                                   std::span<double> d) {
   if (n_of_step_ < options_.max_regularisations || damping_.empty()) return;  // the last system leads nowhere beyond
-  contracted_.assign(d.begin(), d.end());
+  std::vector<double> contracted(d.begin(), d.end());
   for (int n = 0; n < options_.max_contractions + most_halvings; ++n) {
-    const std::vector<RegionDamping> regions = objective.regions_beyond_model(x, contracted_);
+    const std::vector<RegionDamping> regions = objective.regions_beyond_model(x, contracted);
     if (regions.empty()) break;
-    if (n < options_.max_contractions) objective.contract_step(regions, 0.5, contracted_);
-    else scale(0.5, contracted_);
+    if (n < options_.max_contractions) objective.contract_step(regions, 0.5, contracted);
+    else scale(0.5, contracted);
   }
-  if (dot(g, contracted_) < 0) std::ranges::copy(contracted_, d.begin());
+  if (dot(g, contracted) < 0) std::ranges::copy(contracted, d.begin());
 }
 
 }  // namespace shellmatch

@@ -45,7 +45,6 @@ class StepRegularisation {
  private:
   const NewtonOptions& options_;
   std::vector<float> damping_;
-  std::vector<double> contracted_;
   int n_of_step_ = 0;  ///< systems that were regularised for this step
   long n_systems_ = 0;
 };
