@@ -276,8 +276,11 @@ std::vector<MapCandidate> refined_maps(const ShapePairSpectra& pair, CoarseMaps 
   if (!is_sure(candidates)) {
     refine_all(by_landmarks ? 80 : 100, others);
     std::ranges::move(others, std::back_inserter(candidates));
-    sort_by(candidates, [](const MapCandidate& c) { return c.order(); });
   }
+  // Of nearly equal ones the more isometric is better; they say nothing about how clear the choice is.
+  sort_by(candidates, [](const MapCandidate& c) { return c.order() * c.total(); });
+  candidates = distinct(pair, std::move(candidates));
+  sort_by(candidates, [](const MapCandidate& c) { return c.order(); });
   return candidates;
 }
 

@@ -199,6 +199,28 @@ TEST(FindPairs, ABentHandIsFoundInAnyPosition) {
   EXPECT_GE(found.margin, 1.1);
 }
 
+// The margin would tell nothing if the next map were the first once more.
+TEST(FindPairs, NoTwoMapsAreNearlyOne) {
+  const auto pair = std::get<GeneratedPair<3>>(generated_pair("hand", 0.018));
+  AlignmentOptions options;
+  options.refined = 8;
+  const auto stretched = [](const Vec<3>& x) { return Vec<3>(1.5 * x[0], x[1], 0.75 * x[2]); };
+  const AutomaticPairs found =
+      find_pairs(as_surface(pair.reference), test::mapped<3>(as_surface(pair.template_shape), stretched), options);
+  const Surface<3>& surface = found.template_surface.surface;
+  double area = 0;
+  for (std::size_t f = 0; f < surface.facets.size(); ++f) area += facet_measure(surface, static_cast<Index>(f));
+  ASSERT_GT(found.candidates.size(), 1u);
+  for (std::size_t i = 0; i < found.candidates.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::vector<Index>&a = found.candidates[i].map, &b = found.candidates[j].map;
+      if (a.empty() || b.empty()) continue;
+      double sum = 0;
+      for (std::size_t v = 0; v < a.size(); ++v) sum += (surface.vertices[a[v]] - surface.vertices[b[v]]).norm();
+      EXPECT_GT(sum / static_cast<double>(a.size()), 0.04 * std::sqrt(area)) << i << " and " << j;
+    }
+}
+
 std::vector<CorrespondingPoints> some(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to, std::size_t n) {
   std::vector<CorrespondingPoints> pairs;
   for (std::size_t i = 0; i < n; ++i) pairs.push_back({from[i * from.size() / n], to[i * from.size() / n], 1});
