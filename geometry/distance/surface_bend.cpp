@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace shellmatch {
@@ -50,6 +52,18 @@ Vec<Dim> SurfaceBend<Dim>::carried(const Surface<Dim>& from, const FacetTree<Dim
   for (int k = 0; k < Dim; ++k) y += weights[static_cast<std::size_t>(k)] * to.vertices[to.facets[f][k]];
   const Vec<Dim> beside = x - nearest.point;
   return beside.isZero(0) ? y : Vec<Dim>(y + axes(to, f) * (axes(from, f).transpose() * beside));
+}
+
+template <int Dim>
+double SurfaceBend<Dim>::farthest(const Surface<Dim>& surface) const {
+  std::vector<double> distances(surface.vertices.size());
+  parallel_for(distances.size(), [&](std::size_t v) {
+    const Vec<Dim>& x = surface.vertices[v];
+    const Index f = tree_.nearest(x);
+    distances[v] = f == no_index ? std::numeric_limits<double>::infinity()
+                                 : (closest_point_on_facet(surface_, f, x).point - x).norm();
+  });
+  return distances.empty() ? 0 : *std::ranges::max_element(distances);
 }
 
 template <int Dim>

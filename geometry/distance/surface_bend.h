@@ -25,6 +25,9 @@ class SurfaceBend {
   const Surface<Dim>& surface() const { return surface_; }
   const Surface<Dim>& bent() const { return bent_; }
 
+  /// Of the vertices of a surface from this one before its bend, the largest; 0 without vertices.
+  double farthest(const Surface<Dim>& surface) const;
+
   /// Moves the vertices of a surface that lies on or beside this one.
   void apply(Surface<Dim>& surface) const;
   /// The surface of a shape, and its observed and unobserved parts; the original stays.

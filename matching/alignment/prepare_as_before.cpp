@@ -4,6 +4,10 @@ namespace shellmatch {
 
 namespace {
 
+// Diagonals. Parts of what lies farther from the surface that was bent, as the mean shape of a cohort from the one
+// before it, may lie nearest to another limb, with which they would go.
+constexpr double same_surface = 1e-3;
+
 template <int Dim>
 bool lies_inside(const Surface<Dim>& surface, const Similarity<Dim>& pose, const Similarity<Dim>& placement,
                  double clearance) {
@@ -24,7 +28,10 @@ std::optional<PreparedPair<Dim>> prepare_as_before(ShapePair<Dim>& shapes, const
   &other = frame.is_backward ? shapes.reference : shapes.template_shape;
   if (frame.space != shapes.template_shape.original.space) return std::nullopt;
   Surface<Dim> bent = moved.surface;
-  if (frame.bend) frame.bend->apply(bent);
+  if (frame.bend) {
+    if (frame.bend->farthest(bent) > same_surface * bounding_box(bent.vertices).diagonal()) return std::nullopt;
+    frame.bend->apply(bent);
+  }
   if (!lies_inside(bent, frame.pose, frame.placement, clearance) ||
       !lies_inside<Dim>(other.surface, {}, frame.placement, clearance))
     return std::nullopt;

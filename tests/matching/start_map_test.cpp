@@ -102,8 +102,8 @@ TEST_F(StartMap, FromASurfaceThatIsBentFirst) {
   const MatchSummary plain = run(o, "coarse");
   EXPECT_FALSE(plain.bent);
   Deformation<3> map = read_deformation<3>(folder / "coarse");
-  const Surface<3> corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-  map.bend = std::make_shared<const SurfaceBend<3>>(corner, corner.vertices);
+  Surface<3> sphere = std::get<ShapePair<3>>(open_shape_pair(o.input, {}, listener)).reference.surface;
+  map.bend = std::make_shared<const SurfaceBend<3>>(sphere, sphere.vertices);
   write_deformation(folder / "bent.vtu", map);
   o.start.map = folder / "bent.vtu";
   const MatchSummary begun = run(o, "begun");
@@ -112,6 +112,14 @@ TEST_F(StartMap, FromASurfaceThatIsBentFirst) {
   EXPECT_TRUE(begun.bent);
   ASSERT_TRUE(read_deformation<3>(folder / "begun").bend);
   EXPECT_NEAR(begun.distance->deformed_to_template.mean, plain.distance->deformed_to_template.mean, 1e-3);
+  const double diagonal = bounding_box(sphere.vertices).diagonal();
+  for (Vec<3>& x : sphere.vertices) x.z() += 0.01 * diagonal;
+  map.bend = std::make_shared<const SurfaceBend<3>>(sphere, sphere.vertices);
+  write_deformation(folder / "other.vtu", map);
+  o.start.map = folder / "other.vtu";
+  EXPECT_FALSE(run(o, "anew").bent);
+  EXPECT_TRUE(listener.has("do not lie where those of that run do")) << "another surface was bent";
+  o.start.map = folder / "bent.vtu";
   o.align.bend = BendMode::never;
   expect_input_error([&] { run(o, "never"); }, {"start.map", "bent.vtu", "align.bend: never"});
   o.align.direction = MatchDirection::backward;

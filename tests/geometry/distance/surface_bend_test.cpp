@@ -39,6 +39,15 @@ TEST(SurfaceBend, SpheresThatTouchPart) {
   EXPECT_EQ(carried.vertices, bent);
 }
 
+TEST(SurfaceBend, TellsHowFarAnotherSurfaceLies) {
+  Surface<3> sphere = geodesic_sphere(8);
+  const SurfaceBend<3> bend(sphere, sphere.vertices);
+  EXPECT_NEAR(bend.farthest(sphere), 0, 1e-15);
+  sphere.vertices.front() *= 1.25;
+  EXPECT_NEAR(bend.farthest(sphere), 0.25, 0.01);
+  EXPECT_EQ(bend.farthest({}), 0);
+}
+
 TEST(SurfaceBend, OutlinesToo) {
   const Surface<2> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}};
   const SurfaceBend<2> bend(square, {{0, 0}, {0, 1}, {-1, 1}, {-1, 0}});  // a quarter turn
