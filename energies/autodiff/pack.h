@@ -11,6 +11,9 @@ namespace shellmatch::autodiff {
 
 inline constexpr int pack_size = 8;
 typedef double Pack __attribute__((vector_size(sizeof(double) * pack_size)));
+/// As many numbers in single precision, in which much is kept.
+typedef float KeptPack __attribute__((vector_size(sizeof(float) * pack_size)));
+inline Pack widened(const KeptPack& x) { return __builtin_convertvector(x, Pack); }
 
 inline Pack broadcast(Pack, double c) { return Pack{} + c; }
 inline double broadcast(double, double c) { return c; }

@@ -23,11 +23,9 @@ class Band {
   /// One local quadrature point of eight elements.
   struct Point {
     autodiff::Pack weight;  ///< eta_sigma(d1) h^Dim w_q; 0 in lanes where the point is outside the band
-    /// Where reference(i) is kept: in single precision, as the field from which it is.
-    typedef float Kept __attribute__((vector_size(sizeof(float) * autodiff::pack_size)));
-    std::array<Kept, n_reference> kept;
+    std::array<autodiff::KeptPack, n_reference> kept;  ///< in single precision, as the field from which it is
     /// Component i of ReferencePoint.
-    autodiff::Pack reference(int i) const { return __builtin_convertvector(kept[i], autodiff::Pack); }
+    autodiff::Pack reference(int i) const { return autodiff::widened(kept[i]); }
   };
   struct Batch {
     std::array<Index, n_lanes> element;  ///< number in Unknowns::elements(); where there are fewer than lanes the

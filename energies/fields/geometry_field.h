@@ -89,9 +89,9 @@ class GeometryField {
   // They are kept in single precision, which halves the memory and what a look-up reads of it. Next to a shape all
   // values are small or of order 1, so that rounding is far below the error of interpolation. It also bounds by how
   // much derivatives of smooth fields jump where the level changes: by 1e-7 of their size.
-  typedef float KeptPack __attribute__((vector_size(32)));
+  using KeptPack = autodiff::KeptPack;
   typedef float KeptPair __attribute__((vector_size(8)));
-  static Pack widened(const KeptPack& x) { return __builtin_convertvector(x, Pack); }
+  static Pack widened(const KeptPack& x) { return autodiff::widened(x); }
   static Pair widened(const KeptPair& x) { return __builtin_convertvector(x, Pair); }
   struct LocatedPoint {
     Index leaf;      ///< number of the leaf in the octree or the SplineSpace
