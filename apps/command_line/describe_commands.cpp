@@ -213,7 +213,7 @@ void describe(CLI::App& app, RenderCommand& render) {
 void describe(CLI::App& app, ConfigCommand& config) {
   CLI::App* command = add_command(app, "config", help_text::config, help_text::config_footer);
   command->add_option("--profile", config.profile, "whose defaults to print")->type_name("default|paper");
-  command->add_flag("--markdown", config.markdown, "as a Markdown table instead");
+  command->add_flag("--markdown", config.markdown, "as Markdown tables");
 }
 
 void describe(CLI::App& app, SelfTestCommand& self_test) {

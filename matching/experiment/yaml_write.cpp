@@ -50,16 +50,35 @@ std::string cell(std::string_view text) {
   return result;
 }
 
-void write_table(std::string& text, const OptionNode& section) {
-  for (const OptionNode& option : section.children) {
-    if (option.kind == OptionKind::section) {
-      write_table(text, option);
-      continue;
-    }
-    const bool number = option.kind == OptionKind::integer || option.kind == OptionKind::real;
-    text += fmt::format("| `{}` | {} | `{}` | {} | {} | {} |\n", option.path, cell(type_text(option)),
-                        any_value_text(section, option), number ? cell(range_text(option.info)) : "",
-                        cell(option.info.unit), cell(option.info.meaning));
+// The values that an option takes, and their unit.
+std::string values_text(const OptionNode& option) {
+  const bool is_integer = option.kind == OptionKind::integer;
+  if (!is_integer && option.kind != OptionKind::real) return type_text(option);
+  const std::string range = range_text(option.info);
+  std::string text = range == "any" ? type_text(option) : (is_integer ? "integer, " : "") + range;
+  if (!option.info.unit.empty()) text += fmt::format(" ({})", option.info.unit);
+  return text;
+}
+
+// `section` is that which has the option.
+void write_rows(std::string& text, const OptionNode& section, const OptionNode& option) {
+  if (option.kind != OptionKind::section)
+    text += fmt::format("| `{}` | `{}` | {} | {} |\n", option.path, any_value_text(section, option),
+                        cell(values_text(option)), cell(option.info.meaning));
+  for (const OptionNode& child : option.children) write_rows(text, option, child);
+}
+
+constexpr std::string_view table_head = "\n| option | default | values | meaning |\n|---|---|---|---|\n";
+
+// A table of the options that stand in no section, and one of each section.
+void write_tables(std::string& text, const OptionNode& root) {
+  text += fmt::format("## General\n{}", table_head);
+  for (const OptionNode& option : root.children)
+    if (option.kind != OptionKind::section) write_rows(text, root, option);
+  for (const OptionNode& section : root.children) {
+    if (section.kind != OptionKind::section) continue;
+    text += fmt::format("\n## {}: {}\n{}", section.name, section.info.meaning, table_head);
+    write_rows(text, root, section);
   }
 }
 
@@ -99,9 +118,7 @@ void print_reference(std::ostream& out, Profile profile, ReferenceFormat format)
     text = fmt::format("# Every option of shellmatch with the defaults of the profile '{}'.\n", enum_name(profile));
     text += yaml_text(root, true);
   } else {
-    text = fmt::format("| Option | Type | Default ({}) | Range | Unit | Meaning |\n|---|---|---|---|---|---|\n",
-                       enum_name(profile));
-    write_table(text, root);
+    write_tables(text, root);
   }
   out << text;
 }

@@ -90,11 +90,15 @@ TEST_P(EveryProfile, TableRowsHaveAllTheirCells) {
   std::ostringstream table;
   print_reference(table, GetParam(), ReferenceFormat::markdown);
   std::istringstream lines(table.str());
+  std::size_t n_rows = 0;
   for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('|')) continue;
     int bars = 0;
     for (std::size_t i = 0; i < line.size(); ++i) bars += line[i] == '|' && (i == 0 || line[i - 1] != '\\');
-    EXPECT_EQ(bars, 7) << line;
+    EXPECT_EQ(bars, 5) << line;
+    ++n_rows;
   }
+  EXPECT_GT(n_rows, 80U);
 }
 
 TEST(ShippedExperiments, AreValidAndTheirShapesExist) {
