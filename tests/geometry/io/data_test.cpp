@@ -15,8 +15,10 @@ namespace fs = std::filesystem;
 
 using test::data_folder;
 
-#define NEED_DATA() \
-  if (!fs::is_directory(data_folder())) GTEST_SKIP() << "no test data: set SHELLMATCH_DATA to their folder"
+// Skips where there is no such folder among the test data.
+#define NEED_DATA(folder)                          \
+  if (!fs::is_directory(data_folder() / (folder))) \
+  GTEST_SKIP() << "no test data: set SHELLMATCH_DATA to a folder with '" << (folder) << "'"
 
 struct Fact {
   std::string file, defects;
@@ -51,7 +53,7 @@ std::vector<Fact> facts() {
 }
 
 TEST(Data, DirtyMeshesLoadOrAreRefusedAsTheTableSays) {
-  NEED_DATA();
+  NEED_DATA("dirty");
   std::size_t n_files = 0;
   for (const Fact& fact : facts()) {
     const std::string path = (data_folder() / "dirty" / fact.file).string();
@@ -89,7 +91,7 @@ TEST(Data, DirtyMeshesLoadOrAreRefusedAsTheTableSays) {
 }
 
 TEST(Data, AllOtherMeshesLoadAndPointOutward) {
-  NEED_DATA();
+  NEED_DATA("dirty");  // beside which the others lie
   std::size_t n_files = 0;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(data_folder())) {
     const std::string path = entry.path().string();
@@ -106,9 +108,9 @@ TEST(Data, AllOtherMeshesLoadAndPointOutward) {
 }
 
 TEST(Data, OutlinesAndMasksLoad) {
-  NEED_DATA();
   std::size_t n_files = 0;
-  for (const char* folder : {"cells2d_geomstats", "hands2d_basel", "leaves2d_vitis"})
+  for (const char* folder : {"cells2d_geomstats", "hands2d_basel", "leaves2d_vitis"}) {
+    NEED_DATA(folder);
     for (const fs::directory_entry& entry : fs::directory_iterator(data_folder() / folder)) {
       const std::string path = entry.path().string();
       if (dimension_of_file(path) != 2) continue;
@@ -123,11 +125,12 @@ TEST(Data, OutlinesAndMasksLoad) {
       }
       EXPECT_GT(area(read_outline(path).surface), 0);
     }
+  }
   EXPECT_GE(n_files, 35u);
 }
 
 TEST(Data, MasksAgreeWithTheOutlinesTheyWereDrawnFrom) {
-  NEED_DATA();
+  NEED_DATA("hands2d_basel");
   for (const char* hand : {"hand00", "hand03", "hand05", "hand10"}) {
     const fs::path stem = data_folder() / "hands2d_basel" / hand;
     const Shape<2> outline = read_outline(stem.string() + "_registered.csv");
@@ -153,7 +156,7 @@ TEST(Data, MasksAgreeWithTheOutlinesTheyWereDrawnFrom) {
 }
 
 TEST(Data, DamagedImagesAreRefused) {
-  NEED_DATA();
+  NEED_DATA("hands2d_basel");
   const TempFolder folder;
   std::ifstream stream(data_folder() / "hands2d_basel" / "hand00_registered_mask.png", std::ios::binary);
   const std::string whole{std::istreambuf_iterator<char>(stream), {}};
