@@ -103,6 +103,11 @@ void bind_map(py::module_& module) {
                              [](const Map& map) {
                                return std::visit([](const auto& m) { return m->deformation().is_backward; }, map.map_);
                              })
+      .def_property_readonly("is_bent",
+                             [](const Map& map) {
+                               return std::visit([](const auto& m) { return m->deformation().bend != nullptr; },
+                                                 map.map_);
+                             })
       .def_property_readonly("to_unit_domain", [](const Map& map) {
         return matrix_of(std::visit([](const auto& m) { return to_unit_domain(m->deformation()); }, map.map_));
       });

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Union
+from typing import Any, NoReturn, Union
 
 from . import _core
 from ._arrays import Floats, as_points
@@ -17,6 +17,9 @@ def _without_axis(rows: Floats, single: bool) -> Floats:
 
 class Map:
     """A map of the plane or of space, in the coordinates of the shapes. register() makes it, load() reads that of an output folder.
+
+    Where the reference was bent first, it is a map of the reference's surface (is_bent). It cannot be pickled: give the folder to the
+    other process, which loads it.
 
     Points are arrays (N, d), or (d,) for one of them; results have the same number of axes.
     """
@@ -33,6 +36,11 @@ class Map:
     def is_backward(self) -> bool:
         """Whether the template was deformed (align.direction), so that apply() is an inverse."""
         return self._core.is_backward
+
+    @property
+    def is_bent(self) -> bool:
+        """Whether the reference's surface was bent first (align.bend), so that points move with its nearest facet."""
+        return self._core.is_bent
 
     @property
     def to_unit_domain(self) -> Floats:
@@ -60,8 +68,11 @@ class Map:
         rows, single = as_points(points, "points", self.dimension)
         return _without_axis(self._core.jacobian(rows), single)
 
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Map cannot be pickled or copied; save() the result and load() its folder in the other process")
+
     def __repr__(self) -> str:
-        return f"<shellmatch.Map of {'the plane' if self.dimension == 2 else 'space'}>"
+        return f"<shellmatch.Map of {'a surface' if self.is_bent else 'the plane' if self.dimension == 2 else 'space'}>"
 
 
 def load(folder: Union[str, "os.PathLike[str]"]) -> Map:

@@ -7,7 +7,7 @@ import json
 import math
 import os
 import warnings
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, NoReturn, Optional, Tuple, Union
 
 import numpy as np
 
@@ -189,6 +189,9 @@ class Result:
         """
         for text in self._core.save(file_name(folder, "folder"), bool(force)):
             warnings.warn(in_python(text), ShellmatchWarning, stacklevel=2)
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Result cannot be pickled or copied; save() it and load() its map from the folder in the other process")
 
     def __repr__(self) -> str:
         return (

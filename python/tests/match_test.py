@@ -1,10 +1,13 @@
 """register() gives what the command line writes, to the bit, and a Result that does what it says."""
 
+import copy
 import csv
 import json
 import pathlib
+import pickle
 import tempfile
 import threading
+import types
 import unittest
 
 import numpy as np
@@ -219,6 +222,18 @@ class Results(unittest.TestCase):
         self.assertTrue(
             np.allclose(self.forward.apply(self.forward.inverse(folded)), folded) or np.isnan(self.forward.inverse(folded)).all()
         )
+
+    def test_pickling_says_what_to_do(self):
+        for value in (self.forward, self.forward.map):
+            for act in (pickle.dumps, copy.copy):
+                with self.assertRaisesRegex(TypeError, r"cannot be pickled or copied; save\(\)"):
+                    act(value)
+
+    def test_maps_say_of_what_they_are(self):
+        self.assertFalse(self.forward.map.is_bent)
+        self.assertIn("of space", repr(self.forward.map))
+        bent = shellmatch.Map(types.SimpleNamespace(dimension=3, is_bent=True))
+        self.assertIn("of a surface", repr(bent))
 
     def test_arrays_share_memory_and_outlive_the_result(self):
         result = shellmatch.register("generate:circle", "generate:ellipse/long", levels=(3, 3))
