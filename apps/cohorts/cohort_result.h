@@ -27,6 +27,7 @@ struct SubjectResult {
   double seconds = 0;
   std::string folder;     ///< of its result, relative to the cohort's: "runs/ID/output"; empty where there is none
   bool has_page = false;  ///< the result has a page of its own
+  bool bent = false;      ///< the atlas' surface was bent before: the map is one of the surface
   bool in_model = false;  ///< whether it is a column of the statistics
 };
 

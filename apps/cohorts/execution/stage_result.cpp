@@ -92,6 +92,7 @@ class Reader {
   void use(Finished f, std::size_t k, const RunTask& task, const std::string& landmarks, SubjectResult& row) {
     row.folder = "runs/" + task.name + "/output";
     row.has_page = std::filesystem::exists(f.output + "/" + report_file_name);
+    row.bent = f.summary.bent;
     row.distance = f.summary.distance;
     row.diagonal = f.summary.template_diagonal.value_or(0);
     if (f.summary.verdict) {

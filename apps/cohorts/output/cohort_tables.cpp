@@ -38,7 +38,7 @@ std::string subjects_csv(const Cohort& cohort, const std::vector<SubjectResult>&
   std::string text = "id,group,status,verdict,row";
   for (const char* direction : {"deformed_to_subject", "subject_to_deformed"})
     for (const char* figure : {"mean", "p95", "max"}) text += fmt::format(",{}_{}", direction, figure);
-  text += ",uncovered,diagonal,reasons,message,file,reflect";
+  text += ",uncovered,diagonal,bent,reasons,message,file,reflect";
   std::vector<std::string> further;
   for (const auto& [name, value] : cohort.subjects.front().further) further.push_back(name);
   for (const std::string& name : further) text += "," + csv_field(name);
@@ -58,6 +58,7 @@ std::string subjects_csv(const Cohort& cohort, const std::vector<SubjectResult>&
       }
     text += s.distance && s.distance->uncovered ? fmt::format(",{}", *s.distance->uncovered) : ",";
     text += s.diagonal > 0 ? fmt::format(",{}", s.diagonal) : ",";
+    text += s.outcome.empty() ? "," : s.bent ? ",1" : ",0";
     std::string reasons;
     for (const VerdictReason& reason : s.reasons) reasons += (reasons.empty() ? "" : "; ") + reason.what;
     text += fmt::format(",{},{},{},{}", csv_field(reasons), csv_field(s.message), csv_field(cohort.subjects[k].source),

@@ -15,7 +15,8 @@ Json distance_json(const OneSidedDistance& d) { return {{"mean", d.mean}, {"p95"
 Json subject_json(const SubjectResult& subject) {
   Json row = {{"id", subject.id},           {"group", subject.group},       {"status", subject.status},
               {"message", subject.message}, {"outcome", subject.outcome},   {"diagonal", subject.diagonal},
-              {"folder", subject.folder},   {"has_page", subject.has_page}, {"in_model", subject.in_model}};
+              {"folder", subject.folder},   {"has_page", subject.has_page}, {"in_model", subject.in_model},
+              {"bent", subject.bent}};
   row["reasons"] = Json::array();
   for (const VerdictReason& reason : subject.reasons)
     row["reasons"].push_back({{"what", reason.what}, {"advice", reason.advice}});

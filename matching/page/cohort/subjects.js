@@ -18,6 +18,7 @@ function distanceCell(subject, way) {
 function reasons(subject) {
   const list = subject.reasons.map((reason) => element("li", { title: reason.advice }, reason.what));
   return [subject.message ? element("p", { class: "why" }, subject.message) : null, list.length > 0 ? element("ul", { class: "why" }, ...list) : null,
+    subject.bent ? element("p", { class: "why", title: "as rigidly as possible: the map is one of its surface" }, "atlas bent before") : null,
     subject.finished && subject.column === undefined ? element("p", { class: "why" }, "not in the statistics") : null];
 }
 

@@ -28,12 +28,15 @@ TEST(CohortTables, DistancesAreInTheUnitOfTheShapes) {
   cohort.subjects.resize(listed.size());
   cohort.subjects[0].source = "a, b.ply";
   for (Subject& s : cohort.subjects) s.further = {{"age", "7"}};
-  const std::string text = subjects_csv(cohort, listed, {0, 1, 3});
-  EXPECT_NE(text.find("\ngood,,finished,matched,0,0.01,0.02,0.1,0.01,0.02,0.03,,10,,,\"a, b.ply\",0,7\n"),
+  std::vector<SubjectResult> subjects = listed;
+  subjects[3].bent = true;
+  const std::string text = subjects_csv(cohort, subjects, {0, 1, 3});
+  EXPECT_NE(text.find("\ngood,,finished,matched,0,0.01,0.02,0.1,0.01,0.02,0.03,,10,0,,,\"a, b.ply\",0,7\n"),
             std::string::npos)
       << text;
-  EXPECT_NE(text.find("\nlost,,failed,,,,,,,,,,10,,,,0,7\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("\nlook,,finished,look-here,2,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nlost,,failed,,,,,,,,,,10,,,,,0,7\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nlook,,finished,look-here,2,0.01,0.02,0.01,0.01,0.02,0.03,,10,1,,,,0,7\n"), std::string::npos)
+      << text;
 }
 
 TEST(CohortSummary, QuantilesAreValuesOfTheList) {

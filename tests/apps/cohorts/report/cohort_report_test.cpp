@@ -45,6 +45,8 @@ TEST(CohortReport, HoldsTheSubjectsTheWorstFirst) {
   EXPECT_EQ(subjects[1]["reasons"].size(), 2u);
   EXPECT_FALSE(subjects[1].contains("column"));
   EXPECT_EQ(subjects[2]["id"], "subject-05");
+  EXPECT_FALSE(subjects[1]["bent"]);
+  EXPECT_TRUE(subjects[2]["bent"]);
   EXPECT_EQ(subjects[2]["column"], 3);  // after those of the first, second and fourth subject
   EXPECT_EQ(subjects[2]["folder"], "runs/subject-05/output");
   EXPECT_EQ(subjects[2]["reasons"][0]["advice"], result.subjects[4].reasons[0].advice);

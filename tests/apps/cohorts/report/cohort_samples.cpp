@@ -140,6 +140,7 @@ void spoil(std::vector<SubjectResult>& subjects) {
   failed = unfinished_subject(failed.id, "timed_out", "stopped after 600 s, the limit of the cohort");
   failed.group = group;
   unusual.outcome = "look-here";
+  unusual.bent = true;
   unusual.reasons = {{"1.4 % of the template is not reached",
                       "look whether it has parts that the reference lacks",
                       "template",
