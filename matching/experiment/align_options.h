@@ -51,22 +51,21 @@ struct AlignOptions {
   static void describe(Self& self, Visitor& visit) {
     visit("mode", self.mode,
           {.meaning = "none: the shapes begin as they lie; auto: pairs of points are found and used, unless they are "
-                      "no better than none; nothing with input.placement: as-is; rigid, similarity: they are used "
-                      "whatever their score, and this motion of the reference is taken out first; landmarks: the "
-                      "similarity between the landmarks is taken out, nothing is searched"});
+                      "no better than none; nothing with input.placement: as-is; rigid, similarity: the reference is "
+                      "moved this way and pairs are used, whatever their score; landmarks: it is moved by the "
+                      "similarity between the landmarks, nothing is searched"});
     visit("direction", self.direction,
           {.meaning = "forward: the reference is deformed; backward: the template is, and the result is the inverse of "
-                      "that map; auto: where pairs are used both are tried on coarse levels, and backward is taken "
-                      "where it ends clearly better (docs/alignment.md)"});
+                      "that map; auto: both are tried on coarse levels if pairs are used, and backward is taken if it "
+                      "ends clearly better (docs/alignment.md)"});
     visit("bend", self.bend,
-          {.meaning = "auto: where with align.direction: auto neither direction reaches the pairs, the reference's "
+          {.meaning = "auto: if neither direction reaches the pairs (with align.direction: auto), the reference's "
                       "surface is bent by them first, as rigidly as possible, and the map is one of the surface, not "
                       "of space (docs/alignment.md)"});
-    visit(
-        "weight", self.weight,
-        {.min = 0,
-         .meaning =
-             "factor on the term of the pairs found, which weighs as landmarks do; 0: the pairs serve the pose alone"});
+    visit("weight", self.weight,
+          {.min = 0,
+           .meaning =
+               "factor on the term of the pairs found, which weighs like landmarks; 0: pairs give the pose alone"});
     visit("search", self.search, {.meaning = "the search for pairs (docs/alignment.md)"});
   }
 };

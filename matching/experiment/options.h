@@ -26,7 +26,7 @@ struct CheckGradientOptions {
           {.unit = "iterations",
            .min = 0,
            .meaning = "check every term's gradient at the start of each minimisation and at every n-th iteration, and "
-                      "say in the summary what came of it; 0 checks nothing and costs nothing"});
+                      "report it in the summary; 0: never"});
   }
 };
 
@@ -95,27 +95,25 @@ struct InputOptions {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
     visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
     visit("correspondence", self.correspondence,
-          {.meaning = "file with lines 'index x y z' that says where vertices of the reference truly go; if given, the "
-                      "summary states the error, as it does by itself for two built-in shapes that correspond"});
-    visit(
-        "unit", self.unit,
-        {.meaning = "name of the unit of both shapes' coordinates, as mm, for results in words and pictures; empty: "
-                    "that of a volume whose file names it, otherwise coordinates are said to be in units of the file"});
+          {.meaning = "file with lines 'index x y z', the true places of vertices of the reference, from which the "
+                      "summary states the error; known by itself for two built-in shapes that correspond"});
+    visit("unit", self.unit,
+          {.meaning = "unit of both shapes' coordinates in messages and pictures, such as mm; empty: that of a volume "
+                      "whose file names it"});
     visit("placement", self.placement,
           {.meaning =
                "fit: one common similarity moves both shapes into the unit domain; as-is: they are there already"});
     visit("close", self.close,
           {.meaning = "meshes that are not closed: auto fills holes that make up at most 45 % of the area, wraps what "
-                      "else has gaps or inner walls, says so and gives no weight to what it made up (docs/closing.md); "
-                      "never refuses them, as --strict does"});
+                      "else has gaps or inner walls, and gives the added surface no weight (docs/closing.md); never "
+                      "refuses them, as --strict does"});
     visit("buried", self.buried,
-          {.meaning =
-               "parts of a mesh inside other parts of it, where it crosses itself: leave-out gives them no weight, as "
-               "no map without folds reaches all of them; keep matches them like all others (docs/closing.md)"});
+          {.meaning = "parts of a mesh inside other parts of it: leave-out gives them no weight, as no map without "
+                      "folds reaches all of them; keep matches them like all others (docs/closing.md)"});
     visit("space", self.space,
-          {.meaning = "frame of shapes out of volumes, and of meshes that name none: ras or lps; auto: that of the "
-                      "other shape, where it is a mesh that names one as 3D Slicer's do; for meshes then that in which "
-                      "points of 3D Slicer lie on them (docs/landmarks.md), for volumes ras (docs/volumes.md)"});
+          {.meaning = "frame of volumes, and of meshes that name none: ras or lps; auto: that of the other shape, if "
+                      "it is a mesh that names one; else for meshes that in which points of 3D Slicer lie on them "
+                      "(docs/landmarks.md), for volumes ras (docs/volumes.md)"});
   }
 };
 
@@ -142,13 +140,11 @@ struct CascadeOptions {
            .min = 1,
            .max = 12,
            .meaning = "level of the uniform grid that the cascade starts from; cells have side 2^-level"});
-    visit(
-        "max_level", self.max_level,
-        {.unit = "level",
-         .min = 1,
-         .max = finest_level,
-         .meaning =
-             "level of the finest cells of the grid of phi, which meet the shape or shapes that cascade.refine names"});
+    visit("max_level", self.max_level,
+          {.unit = "level",
+           .min = 1,
+           .max = finest_level,
+           .meaning = "level of the finest cells of the grid of phi; see cascade.refine"});
     visit("nu", self.nu,
           {.unit = "length^2/energy", .min = 0, .min_excluded = true, .meaning = "nu of the match term at min_level"});
     visit("nu_factor", self.nu_factor,
@@ -157,8 +153,8 @@ struct CascadeOptions {
           {.unit = "minimisations",
            .min = 1,
            .max = 20,
-           .meaning = "steps of equal ratio in which nu is lowered within a level, as far as they have anything to "
-                      "win; 1 is the paper's"});
+           .meaning = "steps of equal ratio in which nu is lowered within a level, as long as they gain something; 1 "
+                      "is the paper's"});
     visit("volume", self.volume, {.min = 0, .meaning = "c_vol, weight of the volume term, at min_level"});
     visit("volume_factor", self.volume_factor,
           {.min = 0, .max = 1, .min_excluded = true, .meaning = "factor on c_vol from one level to the next"});
@@ -168,13 +164,11 @@ struct CascadeOptions {
           {.unit = "finest cells",
            .min = 1,
            .max = 16,
-           .meaning = "half width sigma of the band on the levels before: wider than a thin limb it pulls at the "
-                      "limb's tip; surfaces with pairs have 1 instead"});
-    visit(
-        "refine", self.refine,
-        {.meaning = "the grid of phi is refined where it meets the reference, whose band is all that the energy reads "
-                    "of it besides the volume term, or where it meets either shape, as the paper; with "
-                    "coefficients.interpolation = multilinear always both, as the template is then read on that grid"});
+           .meaning = "half width sigma of the band on coarser levels: wider than a thin limb, so that it pulls at the "
+                      "tip; surfaces with pairs have 1 instead"});
+    visit("refine", self.refine,
+          {.meaning = "the grid of phi is refined where it meets the reference, or either shape, as in the paper; with "
+                      "coefficients.interpolation = multilinear always both"});
   }
 };
 
@@ -187,22 +181,21 @@ struct StartOptions {
   static void describe(Self& self, Visitor& visit) {
     visit(
         "map", self.map,
-        {.meaning =
-             "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same places, whose "
-             "pose and map this one begins with, in place of an alignment and of the coarse levels; where it does not "
-             "fit the run begins as without, and says so. Such a run keeps no checkpoints; relative to the YAML file"});
+        {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same "
+                    "places, whose pose and map replace the alignment and the coarse levels; if it does not fit the "
+                    "run begins without it, and says so. Such a run keeps no checkpoints; relative to the YAML file"});
     visit(
         "level", self.level,
         {.unit = "level",
          .min = 0,
          .max = finest_level,
          .meaning =
-             "first level that is minimised then; 0: that after the finest one of the map, at most cascade.max_level"});
+             "first level that is minimised with start.map; 0: that after its finest one, at most cascade.max_level"});
     visit("images", self.images,
           {.meaning =
-               "output folders of earlier runs that have deformed the same reference onto other shapes: of surfaces "
-               "the pose is predicted from these with align.mode auto, and pairs are searched only where that is not "
-               "clear or leaves a part far away. Such a run keeps no checkpoints; relative to the YAML file"});
+               "output folders of earlier runs that have deformed the same reference onto other shapes: with "
+               "align.mode auto poses of surfaces are predicted from these, and pairs are searched only if the pose is "
+               "unclear or leaves a part far away. Such a run keeps no checkpoints; relative to the YAML file"});
   }
 };
 
@@ -213,15 +206,13 @@ struct ResumeOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("enabled", self.enabled,
-          {.meaning = "keep the alignment and the last finished level (see min_seconds) in NAME.unfinished beside the "
-                      "output folder NAME, "
-                      "so that the same command goes on after a stop or a kill; the folder goes when the run is done"});
+          {.meaning = "keep the alignment and the last finished level in NAME.unfinished beside the output folder NAME "
+                      "until the run is done, so that the same command resumes a run that was stopped"});
     visit("min_seconds", self.min_seconds,
           {.unit = "seconds",
            .min = 0,
-           .meaning = "a finished level is kept, in the place of the one before, where so much time has passed since "
-                      "the run began or the last one that was kept: short runs leave no trace; of an alignment that is "
-                      "stopped, what took a tenth of it"});
+           .meaning = "least time between the levels that are kept, and from the start to the first; an alignment that "
+                      "is stopped is kept after a tenth of it"});
   }
 };
 
@@ -245,8 +236,8 @@ struct ExperimentOptions {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor& visit) {
     visit("profile", self.profile,
-          {.meaning =
-               "set of defaults: default is the best we know, paper keeps the paper's discrete choices to the letter"});
+          {.meaning = "set of defaults: default is the best we know, paper keeps the paper's discrete choices "
+                      "(docs/profiles.md)"});
     visit("input", self.input, {.meaning = "the two shapes"});
     visit("start", self.start, {.meaning = "beginning with an earlier result"});
     visit("cascade", self.cascade, {.meaning = "coarse to fine"});
@@ -256,15 +247,12 @@ struct ExperimentOptions {
     visit("align", self.align, {.meaning = "pose and pairs of points, found before the cascade"});
     visit("landmarks", self.landmarks, {.meaning = "points that are known to correspond"});
     visit("coverage", self.coverage, {.meaning = "two-sided match"});
-    visit("pictures", self.pictures,
-          {.meaning = "which pictures are drawn: result, those of the end; all, one for each level, too; none"});
+    visit("pictures", self.pictures, {.meaning = "pictures of the end (result), of each level as well (all), or none"});
     visit("report", self.report,
-          {.meaning = "write report.html, one page to look at the result, which opens in a browser without a network "
-                      "(docs/report.md)"});
-    visit(
-        "vertex_table", self.vertex_table,
-        {.meaning = "of meshes write deformed.csv and template.csv, too: vertices and what is known at each, in the "
-                    "columns of deformed.ply and template.ply (docs/output.md); of contours they are always written"});
+          {.meaning = "write report.html, a page that shows the result without a network (docs/report.md)"});
+    visit("vertex_table", self.vertex_table,
+          {.meaning = "for meshes also write deformed.csv and template.csv, with the columns of deformed.ply and "
+                      "template.ply (docs/output.md); for contours they are always written"});
     visit("resume", self.resume, {.meaning = "going on after a stop; changes no result"});
     visit("check_gradient", self.check_gradient, {.meaning = "derivatives checked on the way"});
     visit("threads", self.threads,

@@ -40,14 +40,13 @@ struct LandmarkOptions {
            .meaning = "factor on all landmarks together, which weigh the reference's area (length) over nu at "
                       "min_level, on all levels"});
     visit("loss", self.loss,
-          {.meaning = "trivial: squared distances; huber, cauchy: distances much longer than `scale` count less, so "
-                      "that wrong landmarks do little harm"});
+          {.meaning = "trivial: squared distances; huber, cauchy: distances beyond 0.01 diagonals of the template "
+                      "count less, so that wrong landmarks do little harm"});
     visit("max_distance", self.max_distance,
           {.unit = "diagonal of the template",
            .min = 0,
            .meaning = "a landmark that lies farther from its own shape is refused"});
-    visit("unpaired", self.unpaired,
-          {.meaning = "a name that one of two files lacks: refuse, as it may be misspelt, or leave-out"});
+    visit("unpaired", self.unpaired, {.meaning = "a name that only one of two files has: refuse or leave-out"});
   }
 };
 
@@ -67,27 +66,24 @@ struct CoverageOptions {
           {.unit = "levels",
            .min = 0,
            .max = finest_level,
-           .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as the paper. Never on "
-                      "cascade.min_level, which begins with the identity"});
+           .meaning = "number of finest levels on which the match is two-sided; 0: one-sided, as in the paper. Never "
+                      "on cascade.min_level"});
     visit("weight", self.weight,
           {.min = 0,
            .min_excluded = true,
            .meaning = "factor on the coverage term, which weighs the area (length) of both shapes over nu"});
     visit("tolerance", self.tolerance,
-          {.unit = "diagonal of the template",
-           .min = 0,
-           .meaning = "a pair that is so close does not pull: a mesh is no closer to the shape that it stands for"});
+          {.unit = "diagonal of the template", .min = 0, .meaning = "closer pairs do not pull"});
     visit("coarse_tolerance", self.coarse_tolerance,
           {.unit = "sides of the finest cells",
            .min = 0,
-           .meaning = "on levels before the last a pair that is so close does not pull, either: coverage is there for "
-                      "parts that are not reached, and would hold the others where they lie"});
+           .meaning = "on levels before the last closer pairs do not pull, either, as coverage is there for parts that "
+                      "are not reached"});
     visit("samples", self.samples,
           {.unit = "points",
            .min = 10,
            .max = 1000000,
-           .meaning = "at most so many points of each shape are paired: its vertices, and points within facets that "
-                      "are large against cells and samples"});
+           .meaning = "at most so many points of each shape are paired: vertices, and points within large facets"});
   }
 };
 
