@@ -51,8 +51,8 @@ class Matching {
         clock_(clock),
         observed_(is_backward_ ? observed_pair(template_, reference_) : observed_pair(reference_, template_)),
         parts_(observed_of_result().reference, reference_.surface, observed_of_result().template_shape),
-        d1_(is_backward_ ? template_.surface : reference_.surface),
-        d2_(is_backward_ ? reference_.surface : template_.surface) {}
+        d1_(distance_of(is_backward_ ? template_ : reference_)),
+        d2_(distance_of(is_backward_ ? reference_ : template_)) {}
 
   MatchResult<Dim> run() {
     summary_.reference = shape_summary(reference_);
@@ -96,6 +96,10 @@ class Matching {
   }
 
  private:
+  static SignedDistance<Dim> distance_of(const Shape<Dim>& shape) {
+    return SignedDistance<Dim>(shape.surface, shape.crossing);
+  }
+
   // Restores history, checks, times and levels of an earlier matching, which become part of this one's result.
   std::optional<FinishedLevel<Dim>> resume() {
     if (!inputs_.checkpoint) return std::move(inputs_.start);

@@ -55,8 +55,8 @@ PairLevel<Dim>::PairLevel(ShapePair<Dim> shapes, std::vector<Landmark<Dim>> land
                   options_.cascade.min_level, number_, "");
   grid_ = Octree<Dim>(options_.cascade.min_level);  // not before its size is known to fit
   observer.stage("coefficients");
-  d1_.emplace(shapes_.reference.surface);
-  d2_.emplace(shapes_.template_shape.surface);
+  d1_.emplace(shapes_.reference.surface, shapes_.reference.crossing);
+  d2_.emplace(shapes_.template_shape.surface, shapes_.template_shape.crossing);
   fields_.emplace(*d1_, *d2_, options_);
   fields_->compute_distances(grid_);
   for (int l = options_.cascade.min_level;; ++l) {

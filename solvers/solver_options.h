@@ -110,7 +110,7 @@ struct NewtonOptions {
   double max_forcing = 0.1, min_forcing = 0.1;
   int max_linear_iterations = 60;
   double reuse_below = 0.25;
-  int max_regularisations = 3, max_contractions = 64;
+  int max_regularisations = 3, max_contractions = 500;
   double regularisation_growth = 8, regularisation_decay = 0.25;
   int max_trials = 30;
   template <class Self, class Visitor>

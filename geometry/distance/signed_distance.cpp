@@ -3,31 +3,55 @@
 #include "base/error.h"
 #include "geometry/surface/facet_point.h"
 #include "geometry/distance/facet_tree.h"
+#include "geometry/distance/winding_number.h"
 #include "geometry/surface/pseudonormals.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace shellmatch {
 
 template <int Dim>
 struct SignedDistance<Dim>::Tree {
-  explicit Tree(Surface<Dim> s) : surface(std::move(s)), facets(surface), normals(surface) {
+  Tree(Surface<Dim> s, const std::vector<Index>& crossing) : surface(std::move(s)), facets(surface), normals(surface) {
     const Box<Dim> box = bounding_box(surface.vertices);
     rounding = 1e-12 * std::max(box.max.cwiseAbs().maxCoeff(), box.min.cwiseAbs().maxCoeff());
+    if constexpr (Dim == 3) {
+      if (crossing.empty()) return;
+      is_doubtful.resize(surface.vertices.size());
+      for (const Index f : crossing)
+        for (const Index v : surface.facets[f]) is_doubtful[v] = true;
+      winding.emplace(surface);
+    }
   }
+
+  // Of facets whose sides the pseudonormal may confuse: does the surface wind about x?
+  bool encloses(const Vec<Dim>& x, Index facet, FeatureMask feature) const {
+    if constexpr (Dim == 3) {
+      if (!winding) return true;
+      for (int k = 0; k < Dim; ++k)
+        if (((feature >> k) & 1u) != 0 && !is_doubtful[surface.facets[facet][k]]) return true;
+      return (*winding)(x) > 0;
+    }
+    return true;
+  }
+
   Surface<Dim> surface;
   FacetTree<Dim> facets;
   Pseudonormals<Dim> normals;
-  double rounding;  // below this distance, rounding spoils the direction from the surface to a point
+  double rounding;                // below this distance, rounding spoils the direction from the surface to a point
+  std::vector<bool> is_doubtful;  // vertices of facets that cross others
+  std::optional<CrossingNumber> winding;  // where there are any
 };
 
 template <int Dim>
-SignedDistance<Dim>::SignedDistance(Surface<Dim> surface) {
+SignedDistance<Dim>::SignedDistance(Surface<Dim> surface, const std::vector<Index>& crossing) {
   SHELLMATCH_CHECK(!surface.facets.empty(), "the distance to a surface without facets is not defined");
-  tree_ = std::make_unique<Tree>(std::move(surface));
+  tree_ = std::make_unique<Tree>(std::move(surface), crossing);
 }
 
 template <int Dim>
@@ -74,10 +98,12 @@ ClosestPoint<Dim> SignedDistance<Dim>::closest_on(Index facet, const Vec<Dim>& x
   const auto [point, feature] = closest_point_on_facet(tree_->surface, facet, x);
   const Vec<Dim>& pseudonormal = tree_->normals(tree_->surface, facet, feature);
   const Vec<Dim> difference = x - point;
-  const double distance = std::copysign(difference.norm(), difference.dot(pseudonormal));
+  double distance = std::copysign(difference.norm(), difference.dot(pseudonormal));
+  const bool is_turned = distance < -tree_->rounding && !tree_->encloses(x, facet, feature);
+  if (is_turned) distance = -distance;
   // Over the interior of a facet the gradient is its normal. Elsewhere the pseudonormal replaces a direction
   // that consists of rounding errors.
-  const bool take_pseudonormal = feature == inside_facet<Dim> || std::abs(distance) <= tree_->rounding;
+  const bool take_pseudonormal = !is_turned && (feature == inside_facet<Dim> || std::abs(distance) <= tree_->rounding);
   return {distance, point, take_pseudonormal ? pseudonormal : Vec<Dim>(difference / distance), facet};
 }
 

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace shellmatch {
 
@@ -22,13 +23,16 @@ struct ClosestPoint {
 
 /// Closest point queries on a closed, outward oriented surface. The sign comes from the angle-weighted
 /// pseudonormal of the nearest feature (vertex, edge or facet): Baerentzen and Aanaes, 'Signed distance
-/// computation using the angle weighted pseudonormal', IEEE TVCG 11(3), 2005.
+/// computation using the angle weighted pseudonormal', IEEE TVCG 11(3), 2005. That is right for surfaces that do not
+/// cross themselves. Next to facets that do, a point that seems to be inside is outside if the surface does not wind
+/// about it: one folded triangle on an outermost ridge would turn all points beyond it inside out.
 /// Immutable after construction; queries may run in parallel.
 template <int Dim>
 class SignedDistance {
  public:
-  /// \pre the surface is not empty and has finite coordinates. Keeps a copy.
-  explicit SignedDistance(Surface<Dim> surface);
+  /// Keeps copies. \param crossing facets that cross or touch others; in the plane they are not used \pre the surface
+  /// is not empty and has finite coordinates
+  explicit SignedDistance(Surface<Dim> surface, const std::vector<Index>& crossing = {});
   ~SignedDistance();
   SignedDistance(SignedDistance&&) noexcept;
   SignedDistance& operator=(SignedDistance&&) noexcept;

@@ -74,6 +74,7 @@ Shape<Dim> tried_shape(const Shape<Dim>& shape) {
   tried.evidence = shape.evidence;
   tried.invented_share = shape.invented_share;
   tried.buried_share = shape.buried_share;
+  if (tried.surface.facets.size() <= most_facets) tried.crossing = shape.crossing;
   if constexpr (Dim == 3)
     for (Surface<3>* surface : {&tried.surface, &tried.evidence.observed, &tried.evidence.unobserved})
       if (surface->facets.size() > most_facets) *surface = simplified(*surface, n_vertices_of_large);
@@ -152,7 +153,8 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
   activity.next(steps_before);
   try {
     const Similarity<Dim> placement = placed.place(options, start.pose, start.bend.get());
-    const SignedDistance<Dim> d1(placed.reference.surface), d2(placed.template_shape.surface);
+    const SignedDistance<Dim> d1(placed.reference.surface, placed.reference.crossing),
+        d2(placed.template_shape.surface, placed.template_shape.crossing);
     const ObservedPair<Dim> observed = observed_pair(placed.reference, placed.template_shape);
     const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>(landmarks_, start, trial, placement, d1, d2);
     TrialObserver silent(observer_, activity);

@@ -1,9 +1,12 @@
 // The sign, against the winding number: two algorithms that share nothing.
 #include "geometry/distance/signed_distance.h"
 #include "geometry/distance/winding_number.h"
+#include "geometry/surface/self_intersections.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace shellmatch {
 namespace {
@@ -53,6 +56,27 @@ TEST(SignedDistanceSign, AgreesOnASharpWedge) {
   // All around the sharp edge, in whose plane a single facet's normal would decide wrongly.
   auto points = random_points<3>(2000, {-0.1, -0.05, -0.03}, {1.1, 0.1, 0.03}, 3);
   EXPECT_GT(expect_sign_of_winding_number(wedge, points), 15);
+}
+
+// A triangle of a scan that is turned over, on the outermost place: whatever lies beyond it seems to be inside.
+TEST(SignedDistanceSign, OutsideIsOutsideBeyondATriangleThatIsTurnedOver) {
+  Surface<3> s = unit_sphere(3);
+  const auto [a, b, c] = s.facets[100];
+  const Vec<3> centre = (s.vertices[a] + s.vertices[b] + s.vertices[c]) / 3;
+  std::swap(s.vertices[a], s.vertices[b]);
+  for (const Index v : {a, b, c}) s.vertices[v] *= 1.3;
+  const SignedDistance<3> by_normals(s), checked(s, self_intersecting_facets(s));
+  int n_wrong = 0;
+  for (const Vec<3>& offset : random_points<3>(2000, Vec<3>::Constant(-0.5), Vec<3>::Constant(0.5), 5)) {
+    const Vec<3> x = 1.6 * centre + offset;
+    const ClosestPoint<3> found = checked.closest(x);
+    EXPECT_EQ(std::abs(found.signed_distance), std::abs(by_normals(x)));
+    if (winding_number(s, x) > 0.5) continue;
+    n_wrong += by_normals(x) < 0;
+    EXPECT_GT(found.signed_distance, 0) << x.transpose();
+    EXPECT_LT((found.normal * found.signed_distance - (x - found.point)).norm(), 1e-9);
+  }
+  EXPECT_GT(n_wrong, 50);
 }
 
 void expect_sign_on_data(const std::string& file) {
