@@ -153,7 +153,8 @@ void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, Map
   for (const int k : steps) {
     candidate.c =
         functional_map(pair, candidate.matches, k, landmark_weights(pair, candidate.matches, trust_in_landmarks));
-    const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight);
+    const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight,
+                                                   local_weight(pair, candidate.matches, candidate.c));
     const std::size_t n_samples = k <= n_scored ? n_refined_queries / 2 : n_refined_queries;
     candidate.matches = match_vertices(pair.dense, embedding, pair.landmarks.size() + n_samples);
   }
@@ -264,17 +265,16 @@ CoarseMaps coarse_maps(const ShapePairSpectra& pair, const AlignmentOptions& opt
 /// All that are refined, ascending by their order.
 std::vector<MapCandidate> refined_maps(const ShapePairSpectra& pair, CoarseMaps coarse, SearchProgress& progress) {
   auto& [candidates, others] = coarse;
-  const bool by_landmarks = !pair.landmarks.empty();
   const auto refine_all = [&](std::size_t end, std::vector<MapCandidate>& all) {
     progress.stage(end, all.size(), [&](std::size_t i) {
       refine_densely(pair, 0, all[i]);
       all[i].score = score_map(pair, all[i].matches, all[i].c);
     });
   };
-  refine_all(by_landmarks ? 70 : 80, candidates);
+  refine_all(70, candidates);
   sort_by(candidates, [](const MapCandidate& c) { return c.order(); });
   if (!is_sure(candidates)) {
-    refine_all(by_landmarks ? 80 : 100, others);
+    refine_all(80, others);
     std::ranges::move(others, std::back_inserter(candidates));
   }
   // Of nearly equal ones the more isometric is better; they say nothing about how clear the choice is.
@@ -305,14 +305,17 @@ std::optional<MapCandidate> best_map_within(const ShapePairSpectra& pair, const 
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
   SearchProgress progress;
   std::vector<MapCandidate> candidates = refined_maps(pair, coarse_maps(pair, options, progress), progress);
-  if (pair.landmarks.empty()) return candidates;
-  // Scores, whose limits are known, are those of maps by spectra alone. How exact landmarks are, the best map tells.
-  const double trust = landmark_trust(candidates[0].total(), candidates[0].score.landmark_noise);
+  // Scores, whose limits are known, are those of maps without landmarks. How exact landmarks are, the best map tells.
+  // A second refinement begins with the exact map of the first, so that few functions and spin images turn small parts,
+  // such as heads, that the first left turned; nothing makes a hopeless map first but landmarks.
+  const bool by_landmarks = !pair.landmarks.empty();
+  const double trust = by_landmarks ? landmark_trust(candidates[0].total(), candidates[0].score.landmark_noise) : 0;
+  const double most = hopeless_order * candidates[0].order();
   progress.stage(100, candidates.size(), [&](std::size_t i) {
-    candidates[i].landmark_trust = trust;
-    refine_densely(pair, trust, candidates[i]);
+    if (by_landmarks) candidates[i].landmark_trust = trust;
+    if (by_landmarks || candidates[i].order() <= most) refine_densely(pair, trust, candidates[i]);
   });
-  return candidates;
+  return distinct(pair, std::move(candidates));
 }
 
 }  // namespace shellmatch

@@ -5,6 +5,7 @@
 #include "geometry/distance/surface_distance.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,21 @@ void put_rows(const Columns4& vectors, const VertexSet& set, double weight, Eige
         static_cast<float>(weight) * vectors.col(set.vertices[i]).head<3>();
 }
 
+/// The directions in which the spin images of both surfaces differ most, as columns.
+Eigen::MatrixXf main_components(const SpectralShape& shape_1, const SpectralShape& shape_2) {
+  // They hold four fifths of the variance.
+  constexpr Eigen::Index n_components = 12;
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(SpinImages::n_entries, SpinImages::n_entries);
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(SpinImages::n_entries);
+  for (const SpectralShape* shape : {&shape_1, &shape_2}) {
+    const Eigen::MatrixXd spin = shape->spin.cast<double>();
+    mean += 0.5 * spin * shape->mass;
+    products += 0.5 * spin * shape->mass.asDiagonal() * spin.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products - mean * mean.transpose());
+  return solver.eigenvectors().rightCols(n_components).cast<float>();
+}
+
 }  // namespace
 
 ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2,
@@ -46,6 +62,7 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
   ShapePairSpectra pair{.shapes = {&shape_1, &shape_2},
                         .functions = {},
                         .smoothed = {{shape_1, n_functions}, {shape_2, n_functions}},
+                        .local = {},
                         .signatures = {shape_1.signature.transpose(), shape_2.signature.transpose()},
                         .coarsest = {},
                         .coarse = {},
@@ -57,7 +74,9 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
                              [&](const auto& l) { return l.first == landmark.first || l.second == landmark.second; }))
       pair.landmarks.push_back(landmark);
   if (pair.landmarks.size() < n_least_landmarks) pair.landmarks.clear();
+  const Eigen::MatrixXf components = main_components(shape_1, shape_2);
   for (int s = 0; s < 2; ++s) {
+    pair.local[s].noalias() = components.transpose() * pair.shapes[s]->spin;
     pair.functions[s] = pair.shapes[s]->functions.leftCols(pair.n_functions).transpose().cast<float>();
     std::vector<Index> all;
     std::vector<bool> is_in(pair.shapes[s]->n_vertices(), false);
@@ -192,16 +211,37 @@ Eigen::MatrixXd functional_map(const ShapePairSpectra& pair, const VertexMatches
   return 0.5 * (from_2 + from_1.transpose());
 }
 
+double local_weight(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
+  // Smaller factors leave some heads turned; with larger ones the weight grows with the errors that it causes.
+  constexpr double per_residual = 2, most_weight = 8;
+  // Histograms of few vertices are noise: the square of the weight grows with their number up to that of large
+  // surfaces.
+  constexpr double many_vertices = 5000;
+  const auto n = static_cast<double>(std::min(pair.shapes[0]->n_vertices(), pair.shapes[1]->n_vertices()));
+  const double most = most_weight * std::sqrt(std::min(1.0, n / many_vertices));
+  const Features transposed = c.transpose().cast<float>();
+  double functions = 0, local = 0;
+  for (const auto& [p, q] : pairs_of(matches)) {
+    functions +=
+        (transposed * pair.functions[0].col(p).head(c.rows()) - pair.functions[1].col(q).head(c.rows())).squaredNorm();
+    local += (pair.local[0].col(p) - pair.local[1].col(q)).squaredNorm();
+  }
+  return local > 0 ? std::min(most, per_residual * std::sqrt(functions / local)) : most;
+}
+
 Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&sets)[2], const Eigen::MatrixXd& c,
-                             double normal_weight) {
-  const Eigen::Index k = c.rows();
+                             double normal_weight, double local_weight) {
+  const Eigen::Index k = c.rows(), n_local = local_weight > 0 ? pair.local[0].rows() : 0;
   const bool with_normals = normal_weight > 0;
   Embedding embedding;
   for (int s = 0; s < 2; ++s) {
     Features& features = embedding.on[s];
-    features.resize(k + (with_normals ? 6 : 0), static_cast<Eigen::Index>(sets[s].size()));
+    features.resize(k + (with_normals ? 6 : 0) + n_local, static_cast<Eigen::Index>(sets[s].size()));
     if (s == 0) features.topRows(k).noalias() = c.transpose().cast<float>() * sets[s].functions.topRows(k);
     else features.topRows(k) = sets[s].functions.topRows(k);
+    for (std::size_t i = 0; n_local > 0 && i < sets[s].size(); ++i)
+      features.col(static_cast<Eigen::Index>(i)).tail(n_local) =
+          static_cast<float>(local_weight) * pair.local[s].col(sets[s].vertices[i]);
     if (!with_normals) continue;
     const Rows3 of_other = pair.shapes[1 - s]->coefficients.topRows(k);
     const SmoothedSurface& own = pair.smoothed[s].with(static_cast<int>(k));
@@ -215,14 +255,14 @@ Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&set
   return embedding;
 }
 
-Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c) {
+Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c, double local_weight) {
   VertexSet all[2];
   for (int s = 0; s < 2; ++s) {
     all[s].functions = pair.functions[s];
     all[s].vertices.resize(pair.shapes[s]->n_vertices());
     std::iota(all[s].vertices.begin(), all[s].vertices.end(), 0);
   }
-  return spectral_embedding(pair, all, c, embedded_normal_weight);
+  return spectral_embedding(pair, all, c, embedded_normal_weight, local_weight);
 }
 
 VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedding, std::size_t n_queries) {

@@ -34,6 +34,7 @@ struct ShapePairSpectra {
   const SpectralShape* shapes[2];
   Features functions[2];  ///< k x n: the eigenfunctions at all vertices, in their order
   SmoothedSurfaces smoothed[2];
+  Features local[2];                               ///< p x n: main components of the spin images of both
   Eigen::MatrixXd signatures[2];                   ///< m x n: SpectralShape::signature, a column for each vertex
   VertexSet coarsest[2];                           ///< of `coarse`, as many as few functions need
   VertexSet coarse[2];                             ///< the vertices of landmarks, then the other samples
@@ -88,12 +89,18 @@ struct Embedding {
 /// The first k eigenfunctions, those of surface 1 through C (k x k), and `normal_weight` times normals: those of either
 /// surface smoothed to k functions, and those of the other surface's smoothed coordinates pulled back to it. The latter
 /// change sign where a map reverses orientation, in any pose. As in Eisenberger, Laehner and Cremers, 'Smooth shells',
-/// CVPR 2020.
+/// CVPR 2020. Then `local_weight` times ShapePairSpectra::local, which tell front from back where functions as smooth
+/// as these do not, as at a head.
 Embedding spectral_embedding(const ShapePairSpectra& pair, const VertexSet (&sets)[2], const Eigen::MatrixXd& c,
-                             double normal_weight);
+                             double normal_weight, double local_weight = 0);
 
 /// The embedding of all vertices, in their order, with the weight of normals that the search uses.
-Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c);
+Embedding dense_embedding(const ShapePairSpectra& pair, const Eigen::MatrixXd& c, double local_weight = 0);
+
+/// The weight of ShapePairSpectra::local beside functions through C that fit these matches: at most 8 for surfaces of
+/// 5000 vertices (errors are alike for 6 to 10) and less for fewer, and less the more exactly functions fit, as on one
+/// shape with two triangulations.
+double local_weight(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c);
 
 /// For the first `n_queries` vertices of each set, the nearest of the other set in the embedding.
 VertexMatches match_vertices(const VertexSet (&sets)[2], const Embedding& embedding, std::size_t n_queries);

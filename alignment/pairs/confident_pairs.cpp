@@ -105,7 +105,7 @@ double local_stretch(const std::vector<std::pair<double, std::size_t>>& near, co
 
 ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate& candidate,
                                const AlignmentOptions& options) {
-  const Embedding embedding = dense_embedding(pair, candidate.c);
+  const Embedding embedding = dense_embedding(pair, candidate.c, local_weight(pair, candidate.matches, candidate.c));
   ConfidentPairs result;
   result.map = nearest_features(embedding.on[1], embedding.on[0]);
   const std::vector<Index>&there = result.map, back = nearest_features(embedding.on[0], embedding.on[1]);

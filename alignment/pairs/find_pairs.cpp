@@ -18,8 +18,6 @@ namespace {
 constexpr std::size_t n_most_landmarks = 200;
 // Orders that differ by less than this factor do not tell maps apart.
 constexpr double tie = 1.02;
-// Nothing but landmarks makes a map first whose order is this many times the least: it needs no pairs.
-constexpr double hopeless = 2;
 // Shapes that are symmetric themselves are as good mirrored, and are to stay as they are.
 constexpr double mirrored_penalty = 1.1;
 
@@ -45,7 +43,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
         }
         candidate.is_identity = maps[i].is_identity;
         candidate.is_mirrored = is_mirrored;
-        if (pair.landmarks.empty() && candidate.order > hopeless * maps.front().order()) return;
+        if (pair.landmarks.empty() && candidate.order > hopeless_order * maps.front().order()) return;
         ConfidentPairs found = confident_pairs(pair, maps[i], options);
         for (auto* pairs : {&found.pairs, &found.contradicting})
           for (CorrespondingPoints& points : *pairs) {

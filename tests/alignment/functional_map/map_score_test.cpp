@@ -65,12 +65,41 @@ TEST_F(KnownMap, SmoothedCopiesAreCombinationsOfFunctions) {
 // Of the other facets the normals of these vertices do not depend.
 TEST_F(KnownMap, EmbeddingsOfSomeVerticesArePartsOfThoseOfAll) {
   const Eigen::MatrixXd c = functional_map(pair_, truth_, 12);
-  const Embedding some = spectral_embedding(pair_, pair_.coarsest, c, 2), all = dense_embedding(pair_, c);
+  const Embedding some = spectral_embedding(pair_, pair_.coarsest, c, embedded_normal_weight, 8),
+                  all = dense_embedding(pair_, c, 8);
   ASSERT_LT(pair_.coarsest[0].facets.size(), shape_1_->surface.facets.size());
   for (int s = 0; s < 2; ++s)
     for (std::size_t i = 0; i < pair_.coarsest[s].size(); ++i)
       EXPECT_LT((some.on[s].col(static_cast<Eigen::Index>(i)) - all.on[s].col(pair_.coarsest[s].vertices[i])).norm(),
                 1e-4);
+}
+
+// A turn changes neither spin images nor their components, which tell points apart where functions say nothing.
+TEST_F(KnownMap, LocalFeaturesAloneFindMostVertices) {
+  const Embedding embedding = spectral_embedding(pair_, pair_.dense, Eigen::MatrixXd::Zero(1, 1), 0, 8);
+  const Eigen::Index p = pair_.local[0].rows();
+  ASSERT_EQ(embedding.on[0].rows(), 1 + p);
+  Embedding local;
+  for (int s = 0; s < 2; ++s) local.on[s] = embedding.on[s].bottomRows(p);
+  const VertexMatches matches = match_vertices(pair_.dense, local, 1u << 20);
+  std::size_t n_right = 0;
+  for (std::size_t i = 0; i < matches.from[0].size(); ++i) n_right += matches.to[0][i] == matches.from[0][i];
+  EXPECT_GT(n_right, matches.from[0].size() * 9 / 10);
+  EXPECT_NEAR(local.on[0].col(0).norm(), 8 * pair_.local[0].col(pair_.dense[0].vertices[0]).norm(), 1e-4);
+}
+
+TEST_F(KnownMap, LocalFeaturesWeighLessTheMoreExactlyFunctionsFit) {
+  const Eigen::MatrixXd c = functional_map(pair_, truth_, 40);
+  VertexMatches wrong = truth_;
+  for (int s = 0; s < 2; ++s) std::rotate(wrong.to[s].begin(), wrong.to[s].begin() + 100, wrong.to[s].end());
+  const auto weight = [&](float scale) {
+    ShapePairSpectra scaled = pair_;
+    for (Features& functions : scaled.functions) functions *= scale;
+    return local_weight(scaled, wrong, c);
+  };
+  EXPECT_NEAR(weight(1), 8 * std::sqrt(static_cast<double>(shape_1_->n_vertices()) / 5000), 1e-12);
+  EXPECT_LT(weight(1e-3f), 1);
+  EXPECT_NEAR(weight(1e-3f) / weight(1e-4f), 10, 1e-3);
 }
 
 TEST_F(KnownMap, TheOrthogonalMapIsOrthogonalForAnyPairsAndTheSameForTrueOnes) {
