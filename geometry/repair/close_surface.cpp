@@ -138,9 +138,13 @@ Closure close_surface(Surface<3>& surface, const std::string& source, std::vecto
   const std::string why = why_open(surface, source);
   if (why.empty()) return {};
   // The triangles on one side of each wedge stay together; what remains open is filled or wrapped.
-  Surface<3> apart = surface;
-  if (take_apart(apart) > 0 && remove_folded_pairs(apart) == 0 && why_open(apart, source).empty()) {
+  for (const Touching touching : {Touching::is_joined, Touching::is_apart}) {
+    Surface<3> apart = surface;
+    if (take_apart(apart, touching) == 0) break;
+    const std::size_t n_folded = remove_folded_pairs(apart);
+    if (apart.facets.empty() || !why_open(apart, source).empty()) continue;
     notes.emplace_back("edges with more than two triangles taken apart");
+    if (n_folded > 0) notes.push_back(fmt::format("{} triangles between parts that share a face left out", n_folded));
     surface = std::move(apart);
     return {};
   }

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
 
 namespace shellmatch {
 
@@ -14,6 +17,36 @@ namespace {
 
 // Corner k of facet f as one number.
 Index corner(Index f, int k) { return 3 * f + k; }
+
+// A side of an edge, by the direction in which its facet lies.
+struct Ray {
+  double angle;
+  bool is_forward;
+  const FacetEdge* side;
+};
+
+// By angle, from the widest gap on. At equal angles, which rounding makes differ, lie facets of two parts that touch:
+// where the wedge between them opens before it closes they are joined to each other, otherwise each to its own part.
+void sort_around(std::vector<Ray>& rays, Touching touching) {
+  constexpr double rounding = 1e-9;
+  std::ranges::stable_sort(rays, {}, &Ray::angle);
+  std::size_t first = 0;
+  double widest = rays.front().angle + 2 * std::numbers::pi - rays.back().angle;
+  for (std::size_t i = 1; i < rays.size(); ++i)
+    if (const double gap = rays[i].angle - rays[i - 1].angle; gap > widest) {
+      widest = gap;
+      first = i;
+    }
+  for (std::size_t i = 0; i < first; ++i) rays[i].angle += 2 * std::numbers::pi;
+  std::ranges::rotate(rays, rays.begin() + static_cast<std::ptrdiff_t>(first));
+  for (auto begin = rays.begin(); begin != rays.end();) {
+    auto end = begin + 1;
+    while (end != rays.end() && end->angle - (end - 1)->angle <= rounding) ++end;
+    if (touching == Touching::is_joined) std::ranges::stable_sort(begin, end, {}, &Ray::is_forward);
+    else std::ranges::stable_sort(begin, end, std::greater<>(), &Ray::is_forward);
+    begin = end;
+  }
+}
 
 class Joints {
  public:
@@ -29,25 +62,17 @@ class Joints {
   // Around the edge, by angle: the inside lies counter-clockwise of a facet that runs backward and clockwise of one
   // that runs forward. Like brackets, each that opens a wedge is joined to the one that closes it; going round twice
   // finds those beyond the angle 0.
-  void join_wedges(const FacetEdge* begin, const FacetEdge* end) {
+  void join_wedges(const FacetEdge* begin, const FacetEdge* end, Touching touching) {
     const Vec<3>& origin = surface_.vertices[begin->low];
     const Vec<3> axis = surface_.vertices[begin->high] - origin;
     Vec<3> u = axis.unitOrthogonal();
     const Vec<3> v = axis.cross(u).normalized();
-    struct Ray {
-      double angle;
-      bool is_forward;
-      const FacetEdge* side;
-    };
     std::vector<Ray> rays;
     for (const FacetEdge* s = begin; s != end; ++s) {
       const Vec<3> r = surface_.vertices[surface_.facets[s->facet][(s->begin + 2) % 3]] - origin;
       rays.push_back({std::atan2(r.dot(v), r.dot(u)), is_forward(*s), s});
     }
-    // At equal angles, wedges of no width open before they close.
-    std::stable_sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) {
-      return std::make_pair(a.angle, a.is_forward) < std::make_pair(b.angle, b.is_forward);
-    });
+    sort_around(rays, touching);
     std::vector<std::size_t> open;
     std::vector<bool> done(rays.size(), false);
     for (std::size_t i = 0; i < 2 * rays.size(); ++i) {
@@ -94,7 +119,7 @@ class Joints {
 
 }  // namespace
 
-std::size_t take_apart(Surface<3>& surface) {
+std::size_t take_apart(Surface<3>& surface, Touching touching) {
   Joints joints(surface);
   std::size_t n_crowded = 0;
   for_each_edge(sorted_edges(surface.facets, surface.vertices.size()),
@@ -102,7 +127,7 @@ std::size_t take_apart(Surface<3>& surface) {
                   if (end - begin == 2) joints.join(begin[0], begin[1]);
                   if (end - begin <= 2) return;
                   ++n_crowded;
-                  joints.join_wedges(begin, end);
+                  joints.join_wedges(begin, end, touching);
                 });
   if (n_crowded > 0) joints.divide(surface);
   return n_crowded;

@@ -6,6 +6,8 @@
 #include "tests/geometry/io/files.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -119,17 +121,49 @@ TEST(FlatTriangles, TwoThatShareTheirLongestEdge) {
   EXPECT_TRUE(result.has_note("3 triangles without area removed"));
 }
 
-TEST(TakeApart, BoxesThatShareAnEdgeAreTwoBoxes) {
-  Surface<3> boxes = joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1}));
-  for (auto& facet : boxes.facets)
+// Vertices with equal coordinates are one.
+Surface<3> welded(Surface<3> surface) {
+  for (auto& facet : surface.facets)
     for (Index& v : facet)
-      v = static_cast<Index>(std::ranges::find(boxes.vertices, boxes.vertices[v]) - boxes.vertices.begin());
+      v = static_cast<Index>(std::ranges::find(surface.vertices, surface.vertices[v]) - surface.vertices.begin());
+  return surface;
+}
+
+TEST(TakeApart, BoxesThatShareAnEdgeAreTwoBoxes) {
+  Surface<3> boxes = welded(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})));
   EXPECT_EQ(take_apart(boxes), 1u);
   EXPECT_EQ(boxes.facets.size(), 24u);
   const Mended two = mended(boxes, Closing::never);
   EXPECT_NEAR(enclosed_measure(two.surface), 2, 1e-14);
   Surface<3> one = box({0, 0, 0}, {1, 1, 1});
   EXPECT_EQ(take_apart(one), 0u);
+}
+
+TEST(TakeApart, OfBoxesThatShareAFaceNothingIsMadeUp) {
+  Surface<3> mirrored = box({0, 0, 0}, {1, 1, 1});
+  for (auto& facet : mirrored.facets) std::swap(facet[1], facet[2]);
+  for (Vec<3>& x : mirrored.vertices) x.x() = 2 - x.x();
+  // Their common face has one diagonal or two; where it is turned, the angles of the two sides differ by roundings.
+  for (const Surface<3>& other : {mirrored, box({1, 0, 0}, {2, 1, 1})})
+    for (const double angle : {0.0, 1.0, 2.0}) {
+      Surface<3> boxes = welded(joined(box({0, 0, 0}, {1, 1, 1}), other));
+      for (Vec<3>& x : boxes.vertices) x = Eigen::AngleAxisd(angle, Vec<3>(1, 2, 3).normalized()) * x;
+      const Mended one = mended(boxes);
+      EXPECT_NEAR(enclosed_measure(one.surface), 2, 1e-14);
+      EXPECT_NEAR(surface_measure(one.surface), 10, 1e-14);
+      EXPECT_EQ(one.invented_share, 0);
+      EXPECT_TRUE(one.evidence.is_complete());
+    }
+}
+
+// The second shares a face with the first, and touches the third with a part of one.
+TEST(TakeApart, BoxesThatTouchInPartOfAFaceStayApart) {
+  const Surface<3> row =
+      joined(joined(box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})), box({2, 0, 0}, {3, 1, 2}));
+  const Mended three = mended(welded(row));
+  EXPECT_NEAR(enclosed_measure(three.surface), 4, 1e-14);
+  EXPECT_EQ(three.surface.facets.size(), 36u);
+  EXPECT_EQ(three.invented_share, 0);
 }
 
 TEST(StitchCracks, BordersWhoseVerticesDiffer) {
