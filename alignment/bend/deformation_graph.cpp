@@ -80,6 +80,7 @@ void DeformationGraph::add_influences(const Surface<3>& surface, const EdgeGraph
   for (std::size_t k = 0; k < nodes.size(); ++k)
     graph.for_each_within(nodes[k], reach, [&](Index v, double distance) {
       near[v].push_back({distance, static_cast<Index>(k)});
+      return true;
     });
   influences_.reserve(near.size());
   for (std::size_t v = 0; v < near.size(); ++v) {

@@ -28,8 +28,9 @@ struct MapCandidate {
   double order() const { return (1e-3 + score.distinction()) * (1 + score.landmarks / std::max(total(), 0.1)); }
 };
 
-/// Nothing but landmarks makes a map first whose order() is this many times the least: it needs no pairs.
-inline constexpr double hopeless_order = 2;
+/// Nothing but landmarks makes a map first whose order() is this many times the least: it needs no second refinement
+/// and no pairs.
+inline constexpr double hopeless_order = 1.2;
 
 /// Whether spectra leave open by which rotation the surfaces correspond: has_no_axes() of either.
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);

@@ -177,13 +177,13 @@ class TargetClusters {
       const Lanes difference = values[r] - x[r];
       sums[k] += difference * difference;
     };
-    Eigen::Index r = 0;
-    for (; r + n_at_once <= n_rows_; r += n_at_once) {
-      for (int k = 0; k < n_at_once; ++k) add(r + k, k % 4);
+    Eigen::Index r = n_rows_;
+    for (; r >= n_at_once; r -= n_at_once) {
+      for (int k = 1; k <= n_at_once; ++k) add(r - k, k % 4);
       const Lanes so_far = (sums[0] + sums[1]) + (sums[2] + sums[3]);
       if (least_of(so_far) > most2) return so_far;
     }
-    for (; r < n_rows_; ++r) add(r, 0);
+    while (r > 0) add(--r, 0);
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
 

@@ -10,36 +10,20 @@
 
 namespace shellmatch {
 
-std::vector<std::vector<std::pair<double, std::size_t>>> nearest_neighbours(const std::vector<Vec<3>>& points,
-                                                                            std::size_t n_neighbours) {
-  std::vector<std::vector<std::pair<double, std::size_t>>> nearest(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    auto& near = nearest[i];
-    for (std::size_t j = 0; j < points.size(); ++j)
-      if (j != i) near.emplace_back((points[j] - points[i]).norm(), j);
-    const std::size_t n = std::min(n_neighbours, near.size());
-    std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(n), near.end());
-    near.resize(n);
-    near.shrink_to_fit();
-  }
-  return nearest;
-}
-
-std::vector<bool> in_consistent_group(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to,
-                                      double max_stretch, double error) {
-  const auto nearest = nearest_neighbours(from, 6);
-  DisjointSets groups(from.size()), parts(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i)
+std::vector<bool> in_consistent_group(const std::vector<std::vector<std::pair<double, std::size_t>>>& nearest,
+                                      const std::vector<Vec<3>>& to, double max_stretch, double error) {
+  DisjointSets groups(to.size()), parts(to.size());
+  for (std::size_t i = 0; i < to.size(); ++i)
     for (const auto& [distance, j] : nearest[i]) {
       const auto a = static_cast<Index>(i), b = static_cast<Index>(j);
       parts.join(a, b);
       if ((to[j] - to[i]).norm() < max_stretch * (distance + error)) groups.join(a, b);
     }
-  std::vector<std::size_t> size(from.size(), 0), largest(from.size(), 0);
-  const auto n = static_cast<Index>(from.size());
+  std::vector<std::size_t> size(to.size(), 0), largest(to.size(), 0);
+  const auto n = static_cast<Index>(to.size());
   for (Index i = 0; i < n; ++i) ++size[groups.find(i)];
   for (Index i = 0; i < n; ++i) largest[parts.find(i)] = std::max(largest[parts.find(i)], size[groups.find(i)]);
-  std::vector<bool> consistent(from.size());
+  std::vector<bool> consistent(to.size());
   for (Index i = 0; i < n; ++i) consistent[i] = size[groups.find(i)] == largest[parts.find(i)];
   return consistent;
 }
@@ -137,19 +121,21 @@ ConfidentPairs confident_pairs(const ShapePairSpectra& pair, const MapCandidate&
     }
     images_2.push_back(point);
   }
-  const auto nearest = nearest_neighbours(points, 6);
+  const auto nearest = nearest_along(pair.shapes[0]->graph, samples, n_near);
   std::vector<CorrespondingPoints> close;
-  std::vector<Vec<3>> from, to;
+  std::vector<Index> from;
+  std::vector<Vec<3>> to;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Index v = samples[i];
     const double cycle = (surface_1.vertices[back[there[v]]] - points[i]).norm();
     if (cycle >= options.cycle_tolerance || local_stretch(nearest[i], images_2, i) > options.max_stretch) continue;
     const double share = cycle / options.cycle_tolerance;
     close.push_back({points[i], images_2[i], (1 - share * share) * (1 - share * share)});
-    from.push_back(points[i]);
+    from.push_back(v);
     to.push_back(images_2[i]);
   }
-  const std::vector<bool> consistent = in_consistent_group(from, to, options.max_stretch, options.cycle_tolerance);
+  const std::vector<bool> consistent = in_consistent_group(nearest_along(pair.shapes[0]->graph, from, n_near), to,
+                                                           options.max_stretch, options.cycle_tolerance);
   for (std::size_t k = 0; k < close.size(); ++k)
     (consistent[k] ? result.pairs : result.contradicting).push_back(close[k]);
   return result;

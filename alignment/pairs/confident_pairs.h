@@ -12,18 +12,17 @@
 
 namespace shellmatch {
 
-/// Indices of the n_neighbours points nearest to each point and their distances, in rising order; of fewer points, all
-/// others.
-std::vector<std::vector<std::pair<double, std::size_t>>> nearest_neighbours(const std::vector<Vec<3>>& points,
-                                                                            std::size_t n_neighbours);
+/// Neighbours on surface 1 by which a pair is judged. Along the surface: what touches it, as a hand on another arm, may
+/// move apart.
+inline constexpr std::size_t n_near = 6;
 
 /// A map that is right elsewhere may take a patch of a limb to another limb, there and back, so that neither cycles nor
-/// most neighbours tell. Each point is joined with its nearest six where the map takes both, of which either may be
+/// most neighbours tell. Each point is joined with those near it where the map takes both, of which either may be
 /// `error` from where it belongs, to no more than max_stretch times their distance; of points that are connected when
-/// the map is not asked, only the largest group that is joined is consistent. \param from, to  points, and where a map
-/// takes each \return for each point, whether it belongs to such a group
-std::vector<bool> in_consistent_group(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to,
-                                      double max_stretch, double error);
+/// the map is not asked, only the largest group that is joined is consistent. \param nearest of each point
+/// (nearest_along()) \param to where the map takes each \return for each point, whether it belongs to such a group
+std::vector<bool> in_consistent_group(const std::vector<std::vector<std::pair<double, std::size_t>>>& nearest,
+                                      const std::vector<Vec<3>>& to, double max_stretch, double error);
 
 struct ConfidentPairs {
   std::vector<CorrespondingPoints> pairs;

@@ -168,16 +168,18 @@ std::vector<CorrespondingPoints> confident_pairs_of(const PartialShape& part, co
     images.col(static_cast<Eigen::Index>(i)) = map.on_whole.col(map.images[samples[i]]);
   const std::vector<Index> back = nearest_features(map.on_part, images);
   std::vector<CorrespondingPoints> close;
-  std::vector<Vec<3>> from, to;
+  std::vector<Index> from;
+  std::vector<Vec<3>> to;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Vec<3>&x = part.surface.vertices[samples[i]], &y = whole.surface.vertices[map.images[samples[i]]];
     const double share = (part.surface.vertices[back[i]] - x).norm() / options.cycle_tolerance;
     if (share >= 1) continue;
     close.push_back({x, y, (1 - share * share) * (1 - share * share)});
-    from.push_back(x);
+    from.push_back(samples[i]);
     to.push_back(y);
   }
-  const std::vector<bool> is_consistent = in_consistent_group(from, to, options.max_stretch, options.cycle_tolerance);
+  const std::vector<bool> is_consistent =
+      in_consistent_group(nearest_along(part.graph, from, n_near), to, options.max_stretch, options.cycle_tolerance);
   std::vector<CorrespondingPoints> pairs;
   for (std::size_t i = 0; i < close.size(); ++i)
     if (is_consistent[i]) pairs.push_back(close[i]);

@@ -1,5 +1,7 @@
 #include "alignment/spectrum/edge_graph.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -52,7 +54,7 @@ void EdgeGraph::lower_distances_up_to(Index goal, Index source, std::vector<doub
   }
 }
 
-void EdgeGraph::for_each_within(Index source, double reach, const std::function<void(Index, double)>& f) const {
+void EdgeGraph::for_each_within(Index source, double reach, const std::function<bool(Index, double)>& f) const {
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   std::unordered_set<Index> done;
@@ -60,7 +62,7 @@ void EdgeGraph::for_each_within(Index source, double reach, const std::function<
     const auto [distance, v] = open.top();
     open.pop();
     if (!done.insert(v).second) continue;
-    f(v, distance);
+    if (!f(v, distance)) return;
     for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e)
       if (const double next = distance + edges_[e].length; next < reach && !done.contains(edges_[e].to))
         open.emplace(next, edges_[e].to);
@@ -92,6 +94,22 @@ std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, s
     next = static_cast<Index>(std::max_element(distances.begin(), distances.end()) - distances.begin());
   }
   return samples;
+}
+
+std::vector<std::vector<std::pair<double, std::size_t>>> nearest_along(const EdgeGraph& graph,
+                                                                       const std::vector<Index>& vertices,
+                                                                       std::size_t n_neighbours) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> place(graph.n_vertices(), none);
+  for (std::size_t i = 0; i < vertices.size(); ++i) place[vertices[i]] = i;
+  std::vector<std::vector<std::pair<double, std::size_t>>> nearest(vertices.size());
+  parallel_for(vertices.size(), [&](std::size_t i) {
+    graph.for_each_within(vertices[i], std::numeric_limits<double>::infinity(), [&](Index v, double distance) {
+      if (place[v] != none && place[v] != i) nearest[i].emplace_back(distance, place[v]);
+      return nearest[i].size() < n_neighbours;
+    });
+  });
+  return nearest;
 }
 
 namespace {

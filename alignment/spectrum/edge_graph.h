@@ -5,6 +5,7 @@
 #include "geometry/surface/surface.h"
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
@@ -24,8 +25,8 @@ class EdgeGraph {
   }
 
   /// Calls f(v, distance) for every vertex v with a path to it from `source` that is shorter than `reach`, the nearest
-  /// first.
-  void for_each_within(Index source, double reach, const std::function<void(Index, double)>& f) const;
+  /// first, until f returns false.
+  void for_each_within(Index source, double reach, const std::function<bool(Index, double)>& f) const;
 
   /// Length of the shortest path along edges from `source` to every vertex; infinite where there is none. Paths along
   /// edges are some per cent longer than those across facets.
@@ -50,6 +51,12 @@ class EdgeGraph {
 /// `n` vertices, or all if there are fewer, each the farthest from those before it: the first m of them are such
 /// samples for every m.
 std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, std::size_t n);
+
+/// Of each vertex, the n_neighbours others of `vertices` that are nearest along edges: distances in rising order, and
+/// indices in `vertices`. Fewer where no more can be reached. \pre `vertices` are distinct
+std::vector<std::vector<std::pair<double, std::size_t>>> nearest_along(const EdgeGraph& graph,
+                                                                       const std::vector<Index>& vertices,
+                                                                       std::size_t n_neighbours);
 
 /// A local maximum of the mean distance. Lengths are those of the graph.
 struct SurfaceTip {

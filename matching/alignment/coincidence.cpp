@@ -17,6 +17,8 @@ namespace {
 constexpr double tolerance = 0.01;
 constexpr double least_cosine = 0.8;  // of the angle between the normals: a thin plate's other side is no coincidence
 
+constexpr double most_error = 5;  // of a map, in reaches
+
 // Shares and means need no more; of larger meshes every second, third, ... is taken.
 constexpr std::size_t most_facets = 100'000;
 std::size_t step_of(std::size_t n_facets) { return 1 + n_facets / most_facets; }
@@ -88,14 +90,21 @@ Coincidence<Dim>::~Coincidence() = default;
 
 template <int Dim>
 void Coincidence<Dim>::keep_others(std::vector<Landmark<Dim>>& pairs) const {
-  std::erase_if(pairs, [&](const Landmark<Dim>& pair) {
+  const auto coincides = [&](const Landmark<Dim>& pair) {
     const Vec<Dim>* ends[2] = {&pair.on_reference, &pair.on_template};
     for (int s = 0; s < 2; ++s) {
       const Index facet = sides_[s]->distance.closest(*ends[s]).facet;
       if (sides_[1 - s]->has(*ends[s], facet_normal(sides_[s]->surface, facet).normalized())) return true;
     }
     return false;
-  });
+  };
+  const auto others = std::stable_partition(pairs.begin(), pairs.end(), coincides);
+  std::vector<double> moves;
+  for (auto pair = pairs.begin(); pair != others; ++pair)
+    moves.push_back((pair->on_template - pair->on_reference).norm());
+  // As far as maps err where the shapes are alike; after a turn, the image of a symmetry, they are far larger.
+  const bool map_agrees = moves.empty() || quantile(std::move(moves), 0.5) <= most_error * sides_[0]->reach;
+  pairs.erase(pairs.begin(), map_agrees ? others : pairs.end());
 }
 
 template <int Dim>

@@ -22,8 +22,8 @@ class Coincidence {
   /// Whether nearly all of one shape lies on the other: by chance or in another pose it does not.
   bool decides() const { return share_ >= 0.8; }
 
-  /// Leaves out pairs of which either end coincides: such points belong where they are. \param pairs in the user's
-  /// coordinates
+  /// Leaves out pairs of which either end coincides: such points belong where they are. Leaves out all if the map takes
+  /// most of these elsewhere, as the image of a symmetry does. \param pairs in the user's coordinates
   void keep_others(std::vector<Landmark<Dim>>& pairs) const;
 
  private:

@@ -34,6 +34,31 @@ TEST(EdgeGraph, AnotherComponentIsOutOfReach) {
   for (Index v = 0; v < 2 * n; ++v) EXPECT_EQ(std::isfinite(distances[v]), v < n);
 }
 
+// Two spheres that touch in a vertex of either: neighbours are those of the own sphere.
+TEST(NearestAlong, AreTheLeastDistancesAlongTheSurface) {
+  const Surface<3> sphere = test::unit_sphere(2);
+  Surface<3> beside = sphere;
+  const Vec<3> side = sphere.vertices[7] - beside.vertices[0];
+  for (Vec<3>& x : beside.vertices) x += side;
+  const EdgeGraph graph(test::joined(sphere, beside));
+  const auto n = static_cast<Index>(sphere.vertices.size());
+  std::vector<Index> vertices = farthest_point_samples(EdgeGraph(sphere), 7, 30);
+  for (std::size_t i = 0; i < 5; ++i) vertices.push_back(vertices[i] + n);
+  const auto nearest = nearest_along(graph, vertices, 6);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const std::vector<double> distances = graph.distances_from(vertices[i]);
+    std::vector<std::pair<double, std::size_t>> expected;
+    for (std::size_t j = 0; j < vertices.size(); ++j)
+      if (j != i && std::isfinite(distances[vertices[j]])) expected.emplace_back(distances[vertices[j]], j);
+    std::ranges::sort(expected);
+    ASSERT_EQ(nearest[i].size(), i < 30 ? 6u : 4u);
+    for (std::size_t k = 0; k < nearest[i].size(); ++k) {
+      EXPECT_EQ(nearest[i][k].first, expected[k].first);
+      EXPECT_EQ(distances[vertices[nearest[i][k].second]], expected[k].first);
+    }
+  }
+}
+
 TEST(FarthestPoints, EachIsTheFarthestFromThoseBefore) {
   const Surface<3> surface = test::torus(2, 0.7, 24, 12);
   const EdgeGraph graph(surface);

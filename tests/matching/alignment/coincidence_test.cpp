@@ -109,6 +109,22 @@ TEST(Coincidence, PairsThatEndOnWhatBothHaveAreLeftOut) {
   EXPECT_TRUE(pairs.empty());
 }
 
+// As the map of a shape with a threefold symmetry may do.
+TEST(Coincidence, AMapThatTurnsWhatCoincidesHasNoPairs) {
+  const ShapePair<3> bones{bone(24), bone(30)};
+  const std::vector<Vec<3>>& at = bones.reference.surface.vertices;
+  const Landmark<3> elsewhere{"elsewhere", {4, 3, 12}, {5, 4, 15}};
+  for (const bool is_turned : {false, true}) {
+    std::vector<Landmark<3>> pairs;
+    for (std::size_t i = 0; i < 20; ++i)
+      pairs.push_back({"", at[25 * i], is_turned ? at[at.size() - 1 - 25 * i] : at[25 * i + 1]});
+    pairs.insert(pairs.begin() + 7, elsewhere);
+    Coincidence<3>(bones).keep_others(pairs);
+    EXPECT_EQ(pairs.size(), is_turned ? 0 : 1);
+    for (const Landmark<3>& kept : pairs) EXPECT_EQ(kept.on_template, elsewhere.on_template);
+  }
+}
+
 TEST(Coincidence, APoseOfOneComponentHasToBringAllNearer) {
   const Shape<3> whole = bone(16);
   const ShapePair<3> pair{whole, whole};
