@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <numbers>
 
 namespace shellmatch {
@@ -29,7 +28,7 @@ struct Ray {
 // where the wedge between them opens before it closes they are joined to each other, otherwise each to its own part.
 void sort_around(std::vector<Ray>& rays, Touching touching) {
   constexpr double rounding = 1e-9;
-  std::ranges::stable_sort(rays, {}, &Ray::angle);
+  std::stable_sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.angle < b.angle; });
   std::size_t first = 0;
   double widest = rays.front().angle + 2 * std::numbers::pi - rays.back().angle;
   for (std::size_t i = 1; i < rays.size(); ++i)
@@ -38,12 +37,12 @@ void sort_around(std::vector<Ray>& rays, Touching touching) {
       first = i;
     }
   for (std::size_t i = 0; i < first; ++i) rays[i].angle += 2 * std::numbers::pi;
-  std::ranges::rotate(rays, rays.begin() + static_cast<std::ptrdiff_t>(first));
+  std::rotate(rays.begin(), rays.begin() + static_cast<std::ptrdiff_t>(first), rays.end());
   for (auto begin = rays.begin(); begin != rays.end();) {
     auto end = begin + 1;
     while (end != rays.end() && end->angle - (end - 1)->angle <= rounding) ++end;
-    if (touching == Touching::is_joined) std::ranges::stable_sort(begin, end, {}, &Ray::is_forward);
-    else std::ranges::stable_sort(begin, end, std::greater<>(), &Ray::is_forward);
+    std::stable_partition(begin, end,
+                          [&](const Ray& ray) { return ray.is_forward == (touching == Touching::is_apart); });
     begin = end;
   }
 }
