@@ -51,11 +51,13 @@ void end_after(unsigned seconds) {
   demand(setitimer(ITIMER_PROF, &limit, nullptr) == 0, "a time limit can be set");
 }
 
-void read_input(const Target& target, const std::string& input) {
+// Returns why it was refused.
+std::string read_input(const Target& target, const std::string& input) {
   current_input = input;
   end_after(most_seconds);
-  run_input(target, input);
+  std::string refusal = run_input(target, input);
   end_after(0);
+  return refusal;
 }
 
 void replay(const Target& target, const std::string& folder, double seconds) {
@@ -63,8 +65,22 @@ void replay(const Target& target, const std::string& folder, double seconds) {
   crash_name = "crash-" + std::string(target.name);
   inputs = kept_inputs(folder + "/" + std::string(target.name) + ".txt");
   demand(!inputs.empty(), "a target has kept inputs");
-  for (const std::string& input : inputs) read_input(target, input);
-  std::printf("%.*s: %zu kept inputs", static_cast<int>(target.name.size()), target.name.data(), inputs.size());
+  // Seeds of a format that has changed reach nothing of the reader.
+  std::size_t n_read = 0;
+  std::string refusal_of_longest;
+  std::size_t longest = 0;
+  for (const std::string& input : inputs) {
+    const std::string refusal = read_input(target, input);
+    n_read += refusal.empty() ? 1 : 0;
+    if (input.size() >= longest) {
+      longest = input.size();
+      refusal_of_longest = refusal;
+    }
+  }
+  const int width = static_cast<int>(target.name.size());
+  if (n_read == 0) std::fprintf(stderr, "%.*s: %s\n", width, target.name.data(), refusal_of_longest.c_str());
+  demand(n_read > 0, "one of the kept inputs of a target is read");
+  std::printf("%.*s: %zu kept inputs, %zu of them read", width, target.name.data(), inputs.size(), n_read);
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   std::size_t n_runs = 0;
   std::vector<std::uint8_t> data(20000);

@@ -43,19 +43,21 @@ struct Counting {
 
 }  // namespace
 
-void run_input(const Target& target, std::string_view bytes) {
+std::string run_input(const Target& target, std::string_view bytes) {
   const std::string copy(bytes);
+  std::string refusal;
   const Counting counting;
   try {
     target.read(copy);
   } catch (const InputError& error) {
     demand(error.what()[0] != '\0', "a refusal says why");
+    refusal = error.what();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "an exception that is no InputError: %s\n", error.what());
     std::abort();
   }
   const auto limit = static_cast<std::int64_t>(target.most_bytes + target.most_bytes_per_byte * bytes.size());
-  if (most_held <= limit) return;
+  if (most_held <= limit) return refusal;
   std::fprintf(stderr, "memory: %lld bytes for an input of %zu, the limit is %lld\n", static_cast<long long>(most_held),
                bytes.size(), static_cast<long long>(limit));
   std::abort();

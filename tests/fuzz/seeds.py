@@ -269,13 +269,14 @@ SUMMARY = (b'{"version": "0.1.0", "profile": "default", "dimension": 2, "interru
            b'"scale": 1, "offset": [0, null]}, "distance_before": {D}, "distance": {D}, "correspondence_error": 0.5, "area_distortion": {M}, '
            b'"angle_distortion": {M}, "flipped_facets": 0, "flipped_share": 0, "correspondence_error_before": 1, "levels": [{"level": 3, "sigma": 1, "nu": 1, "volume_weight": 1, "substeps": 1, '
            b'"nodes": 1, "free_nodes": 1, "cells": 1, "band_cells": 1, "energy_minimised": {"sum": 1}, "energy": {"sum": 1}, "iterations": 1, '
-           b'"value_evaluations": 1, "gradient_evaluations": 1, "gradient_norm": 1, "linear_iterations": 1, "regularised_systems": 0, "l2_gradient_norm": 1, "solver": "newton", "fallbacks": ["a"], '
+           b'"value_evaluations": 1, "gradient_evaluations": 1, "gradient_norm": 1, "linear_iterations": 1, "regularised_systems": 0, "l2_gradient_norm": 1, "solver": "newton", "fallbacks": ["a"], "library_reports": [{"brief": "a", "full": "b"}], '
            b'"stop_reason": "a", "stop_message": "b", "folds": {"min_determinant": 1, "determinant_lower_bound": 1, "folded_cells": 0, '
            b'"uncertified_cells": 0, "folded_volume": 0}, "band": {"normal_angle": 1, "folded_share": 0}, "distance": {D}}], "gradient_checks": '
-           b'[{"level": 3, "substep": 0, "iteration": 0, "passed": true, "failed_terms": ["a"], "worst_order": 2, "worst_functor_error": 0}], "run": {"compiler": "a", "threads": 1, "seconds": 1, "phase_seconds": {"a": 1}, "level_seconds": [1], "peak_memory_bytes": 1, '
-           b'"resumed_after": [3], "level_memory_estimates": [1], "level_memory_peaks": [1]}, "direction": {"backward": false, "reference_gaps": 0, '
-           b'"template_gaps": 0, "forward_distance": 1, "backward_distance": 0.5}, "alignment": {"mode": "a", "angle": 1, "scale": 1, "mirrored": false, "score": 1, "margin": 1, "tried": 1, '
-           b'"pairs": 1, "doubtful": false, "as_it_lies": false}}').replace(b"{D}", b'{"deformed_to_template": {"mean": 1, "p95": 1, "max": 1}, "template_to_deformed": '
+           b'[{"level": 3, "substep": 0, "iteration": 0, "passed": true, "failed_terms": "a", "worst_order": 2, "worst_functor_error": 0}], "run": {"compiler": "a", "threads": 1, "seconds": 1, "phase_seconds": {"a": 1}, "level_seconds": [1], "peak_memory_bytes": 1, '
+           b'"resumed_after": [3], "level_memory_estimates": [1], "level_memory_peaks": [1]}, "direction": {"backward": false, '
+           b'"forward_distance": 1, "backward_distance": 0.5, "forward_energy": 1, "backward_energy": 2}, "alignment": {"mode": "a", "angle": 1, "scale": 1, "mirrored": false, "score": 1, "margin": 1, "tried": 1, '
+           b'"pairs": 1, "doubtful": false, "as_it_lies": false, "fits_mirrored": false, "landmark_distance": 1, "landmark_trust": 1, "predicted_from": 3}, "bent": false, '
+           b'"landmarks": {"count": 1, "mean": 0.1, "max": 0.2, "farthest": "a", "place": [0, 1]}, "spin_difference": 0.1}').replace(b"{D}", b'{"deformed_to_template": {"mean": 1, "p95": 1, "max": 1}, "template_to_deformed": '
            b'{"mean": 1, "p95": 1, "max": 1}, "uncovered": 0}').replace(b"{M}", b'{"mean": 1, "min": 1, "max": 1, "p5": 1, "p95": 1}')
 
 
@@ -294,15 +295,16 @@ def seeds_of_all():
                            b"max_level: 3}\nsolver: {name: lbfgs, fallback: [newton], levels: {3-5: {name: newton, stop: {max_iterations: 3}}}}\n",
                            b"solver: {levels: {3: {stop.max_iterations: 3}, 4-15: {name: lbfgs}}}\nenergy: {match_weight: 0}\n",
                            joined(b"threads: 1", b"solver.levels.3-5.name=lbfgs", b"profile=paper", b"cascade.nu=0.5", b"input.reference=a"),
-                           joined(b"version: 1", b"cascade=1"), joined(b"threads: 1", b"solver.levels=1"), joined(b"threads: 1", b"a.b=1"),
+                           joined(b"threads: 1", b"cascade=1"), joined(b"threads: 1", b"solver.levels=1"), joined(b"threads: 1", b"a.b=1"),
                            b"solver: {levels: 3}", b"solver: {levels: {3: 4}}", b"solver: {levels: {[]: 4}}", b"solver: {levels: {3: {[]: 4}}}",
-                           b"solver: {levels: {3-5: {levels: {}}}}", b"solver: {levels: {3-5: {stop: 4}, 4: {name: lbfgs}}}", b"solver: {name: a}",
+                           b"solver: {levels: {3-5: {levels: {}}}}", b"solver: {levels: {3-5: {stop: 4}, 4: {name: lbfgs}}}", b"solver: {levels: {3-5: {name: newton}, 4: {name: lbfgs}}}", b"solver: {name: a}",
                            b"cascade: {min_level: 5, max_level: 4}", b"check_gradient: {every: 2}\npictures: none\nresume: {enabled: no}\n",
-                           joined(b"threads: 1", b"solver.levels.3.stop=1"), joined(b"threads: 1", b"solver.levels.3.name=a", b"=1")]
+                           joined(b"threads: 1", b"solver.levels.3.stop=1"), joined(b"threads: 1", b"solver.levels.3.name=a", b"=1"), b"start: {level: 4}", b"start: {map: a, level: 14}",
+                           b"start: {map: a, level: 4, images: [a, b]}", b"solver: {levels: {3: {fallback: [a]}}}", b"solver: {name: newton, fallback: [newton]}"]
     study = b"version: 1\ntitle: a\nproblems: {a: {set: {input: {reference: 'generate:circle', template: b}}}}\nsolvers: [newton]\n"
     seeds["study"] = [study, joined(study, b"repeats=2", b"cascade.nu=1", b"version=1"),
                       study + b"limits: {seconds: 3, memory_mb: 1}\nset: {cascade.nu: 1, energy: {delta: 2}}\nmetrics: [l2, h1]\n"
-                      b"parameters: {cascade.nu: [1, 2], input.reference: [a, b]}\n",
+                      b"parameters: {cascade.nu: [1, 2], input.reference: [a, b]}\n", study + b"set: {start.images: [a, \"b'\"]}\n",
                       b"version: 1\nproblems: {a: {base: ., set: {}}}\nsolvers: {x: {name: newton, stop: {max_iterations: 2}}, lbfgs: , y: {}}\n",
                       b"version: 2", b"version:", b"a: 1", b"version: 1\nproblems:", b"version: 1\nproblems: {a: 1}", b"version: 1\nlimits: 1",
                       b"version: 1\nproblems: {a: {base: []}}", b"version: 1\nproblems: {a: {b: 1}}", b"version: 1\nproblems: {a b: {}}",
@@ -312,15 +314,17 @@ def seeds_of_all():
     seeds["subjects"] = [table, b"file\ngenerate:hand/bent\na.vtp\n", b"FILE;id\na;b\n", table + table, b"file,file\na,b\n", b"id\na\n", b"file\n", b"",
                          table.replace(b"no", b"2"), table.replace(b"a1", b".a"), table.replace(b"b/c.nii.gz:3", b""), b"file,id\na\n",
                          table.replace(b"a1", b"a" * 201), b"file,x\na,b,c\n"]
-    cohort = b"version: 1\ntitle: a\nshapes: ['generate:circle', 'generate:blob', b.csv]\natlas: {kind: given, shape: blob, rounds: 2}\n"
+    cohort = b"version: 1\ntitle: a\nshapes: ['generate:circle', 'generate:blob', 'generate:leaf']\natlas: {kind: given, shape: blob, rounds: 2}\n"
     more = b"statistics: {procrustes: none, modes: 2}\nlimits: {seconds: 3}\nset: {profile: paper, cascade: {max_level: 5}, energy.delta: 2}\n"
     seeds["cohort"] = [cohort, cohort + more, joined(cohort, b"atlas.kind=mean", b"cascade.nu=1", b"atlas.shape=generate:leaf", b"version=1"),
                        cohort.replace(b"blob,", b"blub,"), cohort.replace(b"shape: blob, ", b""), cohort + b"table: a.csv\n", b"version: 1\ntable: a.csv\n",
                        b"version: 1\n", b"version: 1\nshapes: []\n", cohort + b"statistics: {groups: [a, b]}\n", cohort + b"statistics: {groups: [a]}\n",
                        cohort + b"set: {input.reference: a}\n", cohort + b"set: {input: {template: a}}\n", cohort + b"set: {input.correspondence: a}\n",
                        cohort + b"set: {landmarks.file: a}\n", cohort + b"set: {landmarks: {template_file: a}}\n", cohort.replace(b"rounds", b"max_level"),
-                       b"version: 1\nshapes: ['*.x']\n", joined(cohort, b"atlas.landmarks=b"), cohort.replace(b"blob, ", b"b.csv, landmarks: a.csv, ")]
-    seeds["history"] = [HISTORY, HISTORY.replace(b",match", b"").replace(b"1.5,1.5", b"1.5"), HISTORY + b"1,2\n", HISTORY.replace(b"0.25", b"a"),
+                       b"version: 1\nshapes: ['*.x']\n", joined(cohort, b"atlas.landmarks=b"), cohort.replace(b"blob, ", b"b.csv, landmarks: a.csv, "),
+                       cohort.replace(b"shape: blob, ", b"").replace(b"given", b"mean"), cohort.replace(b"blob,", b"'generate:star',"), cohort.replace(b"'generate:leaf'", b"b.csv"),
+                       cohort + b"set: {start.map: a}\n", cohort + b"set: {start.images: [a]}\n", cohort.replace(b"rounds: 2", b"max_level: 14"), cohort + b"table: a.csv\n"]
+    seeds["history"] = [HISTORY, HISTORY + b"3,0,0.5,newton,1,1,1,1,nan,1,1,1,0.5\n3,1,0.1,newton,0,2,2,1,nan,0,1,1,0\n", HISTORY.replace(b",match", b"").replace(b"1.5,1.5", b"1.5"), HISTORY + b"1,2\n", HISTORY.replace(b"0.25", b"a"),
                         b"level,substep\n", b""]
     seeds["landmarks"] = [b"name,x1,y1,z1,x2,y2,z2,weight\na,0,0,0,1,1,1,2\n", b"vertex1,vertex2,sd\n0,1,0.5\n2,3,1\n",
                           b'"name", x1,y1,x2,y2\na,0,0,1,1\nb,0,1,1,2\n', joined(b"name,x,y,z,sd\na,0,0,0,1\nb,1,1,1,2\n", b"name,vertex\nb,1\na,2\n"),

@@ -32,8 +32,10 @@ std::unique_ptr<Minimizer> make_minimizer(const SolverOptions& options) {
 
 [[noreturn]] static void never_called() { throw std::logic_error("readers generate no shapes"); }
 
-// Whoever names a shape has it generated to see whether it exists: here none does.
+// Whoever names a shape has it generated to see whether it exists: here a few do.
 AnyOriginal generate_shape(std::string_view name, std::string_view, double, const GeneratorParameters&) {
+  for (const std::string_view known : {"circle", "blob", "leaf", "star"})
+    if (name == known) return OriginalShape<2>();
   throw_input_error("there is no shape '{}'", name);
 }
 AnyKnownPositions known_positions(std::string_view, std::string_view, std::string_view) { never_called(); }
