@@ -63,7 +63,7 @@ class Matching {
         (inputs_.prepared.placement.scale * (is_backward_ ? inputs_.prepared.alignment.pose.scale : 1));
     const auto as_it_lies = [](const Surface<Dim>& surface) { return surface; };
     summary_.distance_before = two_sided_distance<Dim>(unbent_, as_it_lies, template_distance_, observed_of_result(),
-                                                       std::ldexp(1.0, -options_.cascade.max_level), on_the_way)
+                                                       std::ldexp(1.0, -options_.cascade.min_level), on_the_way)
                                    .figures;
     summary_.alignment = inputs_.prepared.alignment.summary;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
@@ -122,7 +122,8 @@ class Matching {
     const ReferenceMap<Dim> carry = reference_map(state.grid, state.phi);
     const Surface<Dim> deformed = carry(reference_.surface);
     if (options_.report) levels_.push_back({s.level, deformed.vertices});
-    s.distance = measure_distance(carry, s.level < options_.cascade.max_level ? on_the_way : all_points);
+    const bool is_last = s.level == options_.cascade.max_level;
+    if (is_last || options_.report) s.distance = measure_distance(carry, is_last ? all_points : on_the_way);
     summary_.levels.push_back(std::move(s));
     summary_.run.level_seconds.push_back(level.seconds);
     if (const std::optional<std::string> warning = stuck_warning(summary_.levels)) recorder_.warn(*warning);
@@ -251,8 +252,11 @@ class Matching {
     Surface<Dim> deformed = carry(reference_.surface);
     summary_.distance = summary_.levels.back().distance;
     if (!levels_.empty()) levels_.pop_back();  // the last one is `deformed`
-    // An earlier run had done all levels, and keeps no places.
-    if (places_.deformed.empty()) measure_distance(carry, all_points);
+    // An earlier run had done all levels, and keeps no places; one that is stopped without a page has no distance yet.
+    if (places_.deformed.empty()) {
+      const TwoSidedDistance measured = measure_distance(carry, all_points);
+      if (!summary_.distance) summary_.distance = measured;
+    }
     add_distortions(deformed);
     add_landmark_distances(map);
     measuring.next(3);

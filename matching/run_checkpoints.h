@@ -29,6 +29,8 @@ class RunCheckpoints {
   /// \param output absolute path of the output folder
   void open(const std::string& output, RunIdentity identity);
 
+  bool is_open() const { return folder_.has_value(); }
+
   /// What an earlier run of the same identity had reached, if it has left a checkpoint; its pictures are copied.
   /// \param n_vertices of the reference's surface \param pictures folder of this run's pictures
   EarlierProgress<Dim> read(std::size_t n_vertices, const std::string& pictures);

@@ -91,10 +91,11 @@ class Run {
     prepare();
     check_size<Dim>(refined_measures(reference.surface, template_shape.surface, options_), options_.cascade.min_level,
                     options_.cascade.max_level, folder_.final_path());
-    inputs_.finished = [this](const LevelEnd<Dim>& end) {
-      if (options_.pictures == Pictures::all) picture(end);
-      checkpoints_.write(end, findings_, folder_.path_of("pictures"));
-    };
+    if (options_.pictures == Pictures::all || checkpoints_.is_open())
+      inputs_.finished = [this](const LevelEnd<Dim>& end) {
+        if (options_.pictures == Pictures::all) picture(end);
+        checkpoints_.write(end, findings_, folder_.path_of("pictures"));
+      };
     MatchResult<Dim> result = match_placed_shapes(std::move(inputs_), options_, recorder_, clock_);
     write(result);
     return result;

@@ -14,6 +14,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -145,6 +146,24 @@ TEST_F(RunTest, AnInterruptedRunIsWrittenWholeAndSaysSo) {
   EXPECT_TRUE(s.interrupted);
   EXPECT_EQ(s.levels.back().level, 5);
   EXPECT_NO_THROW(read_deformation<2>(folder / "part"));
+}
+
+TEST_F(RunTest, WithoutAPageTheEndAloneIsMeasured) {
+  struct Stop final : Observer {
+    bool iterated(const LevelStart& start, const IterationRecord&) override { return start.level < 5; }
+  } stop;
+  Observer quiet;
+  ExperimentOptions o = options("generate:circle", "generate:ellipse/long", 6);
+  const auto measured = [&](Observer& observer) {
+    run_matching(o, folder / "out", {.force = true}, observer);
+    const MatchSummary s = read_summary(folder / "out" / "summary.json");
+    EXPECT_TRUE(s.distance);
+    return std::ranges::count_if(s.levels, [](const LevelSummary& level) { return level.distance.has_value(); });
+  };
+  EXPECT_EQ(measured(quiet), 4);
+  o.report = false;
+  EXPECT_EQ(measured(quiet), 1);
+  EXPECT_EQ(measured(stop), 0);
 }
 
 TEST_F(RunTest, CorrespondenceFilesAreCheckedLineByLine) {
