@@ -89,7 +89,7 @@ void improve(std::vector<SearchedMotion>& motions, const SampledPair& pair, int 
 }
 
 std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const NormalizedSurface& second,
-                                           std::size_t n_most) {
+                                           std::size_t n_most, int n_sweeps) {
   const auto nearest_on = [](const auto& points) { return [&](const Vec<3>& x) { return points.nearest(x); }; };
   const SampleCloud on_first(first.samples(n_samples)), on_second(second.samples(n_samples));
   const SampledPair few{first.samples(n_few_samples), second.samples(n_few_samples), nearest_on(on_first),
@@ -102,7 +102,7 @@ std::vector<SearchedMotion> search_motions(const NormalizedSurface& first, const
   motions = distinct_motions(std::move(motions), 3 * n_most, 0.4);
   improve(motions, many, 4, 1);
   motions = distinct_motions(std::move(motions), n_most + 2, identity_angle);
-  improve(motions, many, 28, 1);
+  improve(motions, many, n_sweeps, 1);
   // Near-spheres would drift: the surfaces as they lie are judged as they lie.
   motions.push_back({{}, rigid_score(many, {}), true});
   return distinct_motions(std::move(motions), n_most, identity_angle);
@@ -123,7 +123,7 @@ std::vector<CorrespondingPoints> nearest_pairs(const NormalizedSurface& first, c
 }
 
 std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const NormalizedSurface& second,
-                                             const AlignmentOptions& options, bool is_mirrored) {
+                                             const AlignmentOptions& options, int n_sweeps, bool is_mirrored) {
   const Vec<3> sides(is_mirrored ? -1 : 1, 1, 1);
   Surface<3> shown = reference;
   if (is_mirrored) {
@@ -132,7 +132,8 @@ std::vector<RigidCandidate> rigid_candidates(const Surface<3>& reference, const 
   }
   const NormalizedSurface first(shown);
   std::vector<RigidCandidate> candidates;
-  for (const SearchedMotion& found : search_motions(first, second, static_cast<std::size_t>(options.refined))) {
+  for (const SearchedMotion& found :
+       search_motions(first, second, static_cast<std::size_t>(options.refined), n_sweeps)) {
     RigidCandidate& candidate = candidates.emplace_back();
     candidate.score_parts = found.score;
     candidate.score = found.score.total();
@@ -165,13 +166,13 @@ bool differ_by_symmetry(const NormalizedSurface& surface, const Pose& a, const P
 }  // namespace
 
 RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
-                            const AlignmentOptions& options) {
+                            const AlignmentOptions& options, int n_sweeps) {
   RigidPairs result;
   std::vector<RigidCandidate>& candidates = result.candidates;
   const NormalizedSurface second(template_surface);
-  candidates = rigid_candidates(reference, second, options, false);
+  candidates = rigid_candidates(reference, second, options, n_sweeps, false);
   if (options.mirror)
-    for (RigidCandidate& candidate : rigid_candidates(reference, second, options, true))
+    for (RigidCandidate& candidate : rigid_candidates(reference, second, options, n_sweeps, true))
       candidates.push_back(std::move(candidate));
   order_candidates(candidates, {options.identity_preference, score_noise}, [](const RigidCandidate& c) {
     return angle_of(c.is_mirrored ? Mat<3>(-c.pose.rotation) : c.pose.rotation);

@@ -34,8 +34,9 @@ struct RigidPairs {
 /// around begin iterated closest points. Of candidates that score alike, within options.identity_preference, the
 /// surfaces as they lie come first, else the one that turns least. Surfaces whose limbs lie otherwise may come nearest
 /// to each other in a wrong pose: this is for where find_pairs() is doubtful. Uses `pairs`, `refined`,
-/// `identity_preference` and `mirror` of the options. \throws InputError for surfaces without area
+/// `identity_preference` and `mirror` of the options. \param n_sweeps most of the last iteration, from what has nearly
+/// converged: fewer where the caller iterates further itself \throws InputError for surfaces without area
 RigidPairs find_rigid_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
-                            const AlignmentOptions& options = {});
+                            const AlignmentOptions& options = {}, int n_sweeps = 28);
 
 }  // namespace shellmatch

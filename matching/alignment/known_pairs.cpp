@@ -74,6 +74,10 @@ ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignm
   // The deep teeth of outlines lie between their pairs, and need a wide band.
   if (Dim == 3 && (alignment.is_near || (!alignment.pairs.empty() && options.align.weight > 0)))
     result.cascade.coarse_sigma_cells = options.align.coarse_sigma_cells;
+  // What is near everywhere slides into place on the next level as well.
+  if (alignment.is_near)
+    result.cascade.intermediate_decrease =
+        std::max(options.cascade.intermediate_decrease, options.cascade.substep_decrease);
   return result;
 }
 

@@ -26,7 +26,7 @@ std::vector<PairSet<Dim>> known_pairs(const std::vector<Landmark<Dim>>& landmark
                                       const SignedDistance<Dim>& reference, const SignedDistance<Dim>& template_shape);
 
 /// Options for the cascade after this alignment: the band of surfaces with pairs is as wide on coarse levels as
-/// align.coarse_sigma_cells says.
+/// align.coarse_sigma_cells says, and what begins near everywhere is minimised less exactly before the last level.
 template <int Dim>
 ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignment<Dim>& alignment);
 

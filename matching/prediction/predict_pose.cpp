@@ -18,7 +18,7 @@ namespace shellmatch {
 namespace {
 
 constexpr std::size_t n_samples = 1000, n_poses = 2;
-constexpr int n_sweeps = 10;
+constexpr int n_sweeps = 10, n_rigid_sweeps = 8;
 constexpr double point_weight = 0.1;     // beside 1 for the tangent plane
 constexpr double least_agreement = 0.5;  // of normals, as cosine
 constexpr double closeness = 0.01;       // expected of the fit, in diagonals of the template
@@ -220,7 +220,8 @@ PredictedPose predict_pose(const Surface<3>& reference, const std::vector<std::v
   PredictedPose best;
   best.margin = std::numeric_limits<double>::infinity();
   Mat<3> rotation;
-  for (const RigidCandidate& candidate : find_rigid_pairs(model.mean, template_surface, few).candidates) {
+  for (const RigidCandidate& candidate :
+       find_rigid_pairs(model.mean, template_surface, few, n_rigid_sweeps).candidates) {
     Fit fit(model, samples, candidate.pose, target, diagonal);
     for (int sweep = 0; sweep < n_sweeps; ++sweep) fit.sweep();
     fit.move();

@@ -71,6 +71,17 @@ TEST(FindRigidPairs, ATurnedBlobIsFoundWhateverTheTurn) {
   }
 }
 
+TEST(FindRigidPairs, FewerSweepsEndNearTheSamePose) {
+  const Mat<3> rotation = rotation_about(75, {1, -2, 0.5});
+  const Surface<3> reference =
+      test::mapped<3>(blob(), [](const Vec<3>& x) { return Vec<3>(x.x(), x.y() + 0.3 * x.x() * x.x(), x.z()); });
+  const Surface<3> other = moved_by(blob(15), rotation);
+  const auto pose = [&](int n_sweeps) { return find_rigid_pairs(reference, other, {}, n_sweeps).candidates[0].pose; };
+  const double apart = degrees_between(pose(0).rotation, pose(28).rotation);
+  EXPECT_LT(apart, 20);
+  EXPECT_GT(apart, 1e-3);
+}
+
 TEST(FindRigidPairs, ATurnedEllipsoidTurnsByTheLeastOfItsFourTurns) {
   const Vec<3> axes(1.5, 1.2, 1);
   for (const double angle : {50.0, 80.0, 130.0}) {

@@ -53,6 +53,18 @@ TEST(CoarseBand, IsNarrowWherePairsLeadASurface) {
   EXPECT_EQ(coarse_sigma_cells(of_outline), 3);
 }
 
+TEST(CoarseBand, IsNarrowAndLevelsEndEarlyWhereAPredictedPoseIsNear) {
+  Alignment<3> near;
+  near.is_near = true;
+  EXPECT_EQ(coarse_sigma_cells(near), 1.5);
+  ExperimentOptions o = to_level_4();
+  const auto decrease = [&](const Alignment<3>& a) { return cascade_options(o, a).cascade.intermediate_decrease; };
+  EXPECT_EQ(decrease(near), o.cascade.substep_decrease);
+  EXPECT_LT(decrease({}), decrease(near));
+  o.cascade.intermediate_decrease = 0.1;
+  EXPECT_EQ(decrease(near), 0.1) << "what ends earlier still does";
+}
+
 TEST(CoarseBand, IsThatOfTheCascadeAndOfItsLevelsAsObjects) {
   Observer quiet;
   ExperimentOptions o = to_level_4();
