@@ -98,22 +98,26 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
 // Pairs of one component of several say nothing of the others.
 constexpr double least_searched = 0.9;
 
-/// A start that is chosen loses its pose, and the pairs that say otherwise, to what lies as it belongs. Why it does, in
-/// words.
+struct Stay {
+  std::string why;         ///< in words; empty: the start keeps its pose
+  bool coincides = false;  ///< whatever the search has left open
+};
+
+/// A start that is chosen loses its pose, and the pairs that say otherwise, to what lies as it belongs.
 template <int Dim>
-std::string why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& search, Alignment<Dim>& start) {
+Stay why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& search, Alignment<Dim>& start) {
   const Coincidence<Dim> coincidence(shapes);
   if (coincidence.decides()) {
     start.pose = {};
     coincidence.keep_others(start.pairs);
     if (start.pairs.size() < n_least_pairs) start.pairs.clear();
-    return fmt::format("{:.0f} % of one shape coincides with the other as they lie", 100 * coincidence.share());
+    return {fmt::format("{:.0f} % of one shape coincides with the other as they lie", 100 * coincidence.share()), true};
   }
   const bool is_of_a_part = search.searched_share < least_searched && !start.pose.is_identity();
   if (is_of_a_part && distance_after<Dim>(shapes, {}) < distance_after(shapes, start.pose)) {
     start.pose = {};
     start.pairs.clear();
-    return "all components together lie nearer as they are";
+    return {"all components together lie nearer as they are"};
   }
   return {};
 }
@@ -161,9 +165,10 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
     result = std::move(best.alignment);
     result.pairs.resize(result.pairs.size() - best.n_contradicting);
   }
-  const std::string stays = is_used && options.mode == AlignMode::automatic
-                                ? why_they_stay(trials.tried_shapes(), outcome.search, result)
-                                : "";
+  Stay stay;
+  if (options.mode == AlignMode::automatic && (is_used || choice.as_it_lies))
+    stay = why_they_stay(trials.tried_shapes(), outcome.search, result);
+  const std::string& stays = stay.why;
   if (!stays.empty()) is_used = !result.pairs.empty();
   if (!is_used && stays.empty()) result.pose = pose_by_landmarks(landmarks, options);
   AlignmentSummary& s = result.summary.emplace(summary_of(result.pose));
@@ -174,7 +179,8 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(stays.empty() ? best.n_pairs : result.pairs.size()) : 0;
   const bool is_posed = !is_used && !result.pose.is_identity();
-  s.doubtful = choice.is_doubtful && !is_posed;
+  const bool is_doubtful = choice.is_doubtful && !stay.coincides;
+  s.doubtful = is_doubtful && !is_posed;
   s.as_it_lies = !is_posed && (choice.as_it_lies || !stays.empty());
   s.fits_mirrored = fits_mirrored;
   if (fits_mirrored)
@@ -194,15 +200,14 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
         fmt::format(", and so noisy beside such pairs that {:.0f} % of their weight count (--align landmarks keeps it)",
                     100 * *result.landmark_trust);
   if (!stays.empty()) why += ", but " + stays;
-  if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
+  else if (choice.as_it_lies) why += ", not clearly better than the shapes as they lie";
   // Score and margin tell something where they are bad; the summary always has them.
-  if (choice.is_doubtful) why = fmt::format(", score {:.2f}, margin {:.2f}", best.score, choice.margin) + why;
+  if (is_doubtful) why = fmt::format(", score {:.2f}, margin {:.2f}", best.score, choice.margin) + why;
   const std::string use = is_posed        ? "; they are not used" + pose_note(landmarks.size())
                           : !is_used      ? "; they are not used"
                           : stays.empty() ? ""
                                           : fmt::format("; {} of them are used", result.pairs.size());
-  observer.note(
-      fmt::format("alignment: {}{} pairs{}{}", choice.is_doubtful ? "doubtful: " : "", best.n_pairs, why, use));
+  observer.note(fmt::format("alignment: {}{} pairs{}{}", is_doubtful ? "doubtful: " : "", best.n_pairs, why, use));
   return result;
 }
 
