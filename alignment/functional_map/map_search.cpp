@@ -307,10 +307,10 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
   std::vector<MapCandidate> candidates = refined_maps(pair, coarse_maps(pair, options, progress), progress);
   // Scores, whose limits are known, are those of maps without landmarks. How exact landmarks are, the best map tells.
   // A second refinement begins with the exact map of the first, so that few functions and spin images turn small parts,
-  // such as heads, that the first left turned; nothing makes a hopeless map first but landmarks.
+  // such as heads, that the first left turned; others than eligible maps only landmarks make first.
   const bool by_landmarks = !pair.landmarks.empty();
   const double trust = by_landmarks ? landmark_trust(candidates[0].total(), candidates[0].score.landmark_noise) : 0;
-  const double most = hopeless_order * candidates[0].order();
+  const double most = eligible_order * candidates[0].order();
   progress.stage(100, candidates.size(), [&](std::size_t i) {
     if (by_landmarks) candidates[i].landmark_trust = trust;
     if (by_landmarks || candidates[i].order() <= most) refine_densely(pair, trust, candidates[i]);

@@ -28,15 +28,15 @@ struct MapCandidate {
   double order() const { return (1e-3 + score.distinction()) * (1 + score.landmarks / std::max(total(), 0.1)); }
 };
 
-/// Nothing but landmarks makes a map first whose order() is this many times the least: it needs no second refinement
-/// and no pairs.
-inline constexpr double hopeless_order = 1.2;
+/// Callers choose among maps whose order() is at most this many times the least, without landmarks: others need no
+/// second refinement and no pairs.
+inline constexpr double eligible_order = 1.2;
 
 /// Whether spectra leave open by which rotation the surfaces correspond: has_no_axes() of either.
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);
 
 /// The best distinct maps, ascending by their order(). Landmarks suggest a start of their own, and once scores are
-/// known, which are those of maps without them, maps that are not hopeless are refined again with landmarks among the
+/// known, which are those of maps without them, eligible maps are refined again with landmarks among the
 /// pairs. Where
 /// spectra are_ambiguous(), only the surfaces as they lie and landmarks give starts.
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);

@@ -177,6 +177,7 @@ class TargetClusters {
       const Lanes difference = values[r] - x[r];
       sums[k] += difference * difference;
     };
+    // The last rows, of normals and local features, differ most within a cluster.
     Eigen::Index r = n_rows_;
     for (; r >= n_at_once; r -= n_at_once) {
       for (int k = 1; k <= n_at_once; ++k) add(r - k, k % 4);

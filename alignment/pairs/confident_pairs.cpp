@@ -10,8 +10,8 @@
 
 namespace shellmatch {
 
-std::vector<bool> in_consistent_group(const std::vector<std::vector<std::pair<double, std::size_t>>>& nearest,
-                                      const std::vector<Vec<3>>& to, double max_stretch, double error) {
+std::vector<bool> in_consistent_group(const NeighbourLists& nearest, const std::vector<Vec<3>>& to, double max_stretch,
+                                      double error) {
   DisjointSets groups(to.size()), parts(to.size());
   for (std::size_t i = 0; i < to.size(); ++i)
     for (const auto& [distance, j] : nearest[i]) {

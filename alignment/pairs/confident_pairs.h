@@ -12,8 +12,8 @@
 
 namespace shellmatch {
 
-/// Neighbours on surface 1 by which a pair is judged. Along the surface: what touches it, as a hand on another arm, may
-/// move apart.
+/// NeighbourLists on surface 1 by which a pair is judged. Along the surface: what touches it, as a hand on another arm,
+/// may move apart.
 inline constexpr std::size_t n_near = 6;
 
 /// A map that is right elsewhere may take a patch of a limb to another limb, there and back, so that neither cycles nor
@@ -21,8 +21,8 @@ inline constexpr std::size_t n_near = 6;
 /// `error` from where it belongs, to no more than max_stretch times their distance; of points that are connected when
 /// the map is not asked, only the largest group that is joined is consistent. \param nearest of each point
 /// (nearest_along()) \param to where the map takes each \return for each point, whether it belongs to such a group
-std::vector<bool> in_consistent_group(const std::vector<std::vector<std::pair<double, std::size_t>>>& nearest,
-                                      const std::vector<Vec<3>>& to, double max_stretch, double error);
+std::vector<bool> in_consistent_group(const NeighbourLists& nearest, const std::vector<Vec<3>>& to, double max_stretch,
+                                      double error);
 
 struct ConfidentPairs {
   std::vector<CorrespondingPoints> pairs;

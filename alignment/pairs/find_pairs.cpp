@@ -43,7 +43,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
         }
         candidate.is_identity = maps[i].is_identity;
         candidate.is_mirrored = is_mirrored;
-        if (pair.landmarks.empty() && candidate.order > hopeless_order * maps.front().order()) return;
+        if (pair.landmarks.empty() && candidate.order > eligible_order * maps.front().order()) return;
         ConfidentPairs found = confident_pairs(pair, maps[i], options);
         for (auto* pairs : {&found.pairs, &found.contradicting})
           for (CorrespondingPoints& points : *pairs) {

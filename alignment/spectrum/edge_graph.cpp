@@ -96,17 +96,15 @@ std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, s
   return samples;
 }
 
-std::vector<std::vector<std::pair<double, std::size_t>>> nearest_along(const EdgeGraph& graph,
-                                                                       const std::vector<Index>& vertices,
-                                                                       std::size_t n_neighbours) {
+NeighbourLists nearest_along(const EdgeGraph& graph, const std::vector<Index>& vertices, std::size_t n) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> place(graph.n_vertices(), none);
   for (std::size_t i = 0; i < vertices.size(); ++i) place[vertices[i]] = i;
-  std::vector<std::vector<std::pair<double, std::size_t>>> nearest(vertices.size());
+  NeighbourLists nearest(vertices.size());
   parallel_for(vertices.size(), [&](std::size_t i) {
     graph.for_each_within(vertices[i], std::numeric_limits<double>::infinity(), [&](Index v, double distance) {
       if (place[v] != none && place[v] != i) nearest[i].emplace_back(distance, place[v]);
-      return nearest[i].size() < n_neighbours;
+      return nearest[i].size() < n;
     });
   });
   return nearest;

@@ -52,11 +52,12 @@ class EdgeGraph {
 /// samples for every m.
 std::vector<Index> farthest_point_samples(const EdgeGraph& graph, Index first, std::size_t n);
 
-/// Of each vertex, the n_neighbours others of `vertices` that are nearest along edges: distances in rising order, and
-/// indices in `vertices`. Fewer where no more can be reached. \pre `vertices` are distinct
-std::vector<std::vector<std::pair<double, std::size_t>>> nearest_along(const EdgeGraph& graph,
-                                                                       const std::vector<Index>& vertices,
-                                                                       std::size_t n_neighbours);
+/// Of each of some points, others near it: distances in rising order, and indices.
+using NeighbourLists = std::vector<std::vector<std::pair<double, std::size_t>>>;
+
+/// Of each vertex, the n others of `vertices` that are nearest along edges; fewer where no more can be reached.
+/// \pre `vertices` are distinct
+NeighbourLists nearest_along(const EdgeGraph& graph, const std::vector<Index>& vertices, std::size_t n);
 
 /// A local maximum of the mean distance. Lengths are those of the graph.
 struct SurfaceTip {

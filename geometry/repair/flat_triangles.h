@@ -26,12 +26,13 @@ std::size_t dissolve_flat_triangles(Surface<3>& surface, double height);
 /// Removes pairs of triangles with the same corners that run opposite ways round; returns the number of triangles.
 std::size_t remove_folded_pairs(Surface<3>& surface);
 
+/// What becomes of two parts that touch along a face: they are one, with pairs of triangles between them
+/// (remove_folded_pairs()), or each has its own face. Faces that touch in part can only be of two.
+enum class Touching { is_joined, is_apart };
+
 /// Cuts the surface along edges with more than two triangles: those that bound one wedge of the inside stay together,
 /// and vertices are doubled where the sheets around them no longer hang together. Returns the number of such edges.
-/// Without any, nothing is changed. \param touching what becomes of two parts that touch along a face: they are one,
-/// with pairs of triangles between them (remove_folded_pairs()), or each has its own face; faces that touch in part can
-/// only be of two
-enum class Touching { is_joined, is_apart };
+/// Without any, nothing is changed.
 std::size_t take_apart(Surface<3>& surface, Touching touching = Touching::is_joined);
 
 }  // namespace shellmatch

@@ -98,9 +98,10 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
 // Pairs of one component of several say nothing of the others.
 constexpr double least_searched = 0.9;
 
+/// Why shapes stay as they lie.
 struct Stay {
-  std::string why;         ///< in words; empty: the start keeps its pose
-  bool coincides = false;  ///< whatever the search has left open
+  std::string why;         ///< in words; empty: they do not
+  bool coincides = false;  ///< so that nothing is left open
 };
 
 /// A start that is chosen loses its pose, and the pairs that say otherwise, to what lies as it belongs.

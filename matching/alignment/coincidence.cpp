@@ -17,7 +17,7 @@ namespace {
 constexpr double tolerance = 0.01;
 constexpr double least_cosine = 0.8;  // of the angle between the normals: a thin plate's other side is no coincidence
 
-constexpr double most_error = 5;  // of a map, in reaches
+constexpr double most_map_error = 5;  // in reaches
 
 // Shares and means need no more; of larger meshes every second, third, ... is taken.
 constexpr std::size_t most_facets = 100'000;
@@ -103,7 +103,7 @@ void Coincidence<Dim>::keep_others(std::vector<Landmark<Dim>>& pairs) const {
   for (auto pair = pairs.begin(); pair != others; ++pair)
     moves.push_back((pair->on_template - pair->on_reference).norm());
   // As far as maps err where the shapes are alike; after a turn, the image of a symmetry, they are far larger.
-  const bool map_agrees = moves.empty() || quantile(std::move(moves), 0.5) <= most_error * sides_[0]->reach;
+  const bool map_agrees = moves.empty() || quantile(std::move(moves), 0.5) <= most_map_error * sides_[0]->reach;
   pairs.erase(pairs.begin(), map_agrees ? others : pairs.end());
 }
 

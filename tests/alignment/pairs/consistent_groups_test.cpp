@@ -19,7 +19,7 @@ std::vector<Vec<3>> strip(const Vec<3>& corner = Vec<3>::Zero()) {
 
 /// With the nearest six as neighbours.
 std::vector<bool> consistent(const std::vector<Vec<3>>& from, const std::vector<Vec<3>>& to) {
-  std::vector<std::vector<std::pair<double, std::size_t>>> nearest(from.size());
+  NeighbourLists nearest(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     for (std::size_t j = 0; j < from.size(); ++j)
       if (j != i) nearest[i].emplace_back((from[j] - from[i]).norm(), j);
