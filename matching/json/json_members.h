@@ -1,13 +1,14 @@
 #pragma once
 /// \file
-/// Conversion between structs and JSON objects. One description of a struct serves both directions: a function template
-/// describe(s, member), in the source that needs it, which calls member(key, s.value) for every member. For the sources
-/// that write JSON; it exposes types of the JSON library. Types that are many numbers may have packed(value), a list of
-/// them, and unpack(numbers, value) instead.
+/// Conversion between structs and JSON objects. One description of a struct serves both directions: SHELLMATCH_JSON in
+/// the source that needs it, which lists the members, or a function template describe(s, member), which calls
+/// member(key, s.value) for each. For the sources that write JSON; it exposes types of the JSON library. Types that are
+/// many numbers may have packed(value), a list of them, and unpack(numbers, value) instead.
 
 #include "matching/json/json_text.h"
 
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -100,4 +101,36 @@ void set_from_json(const Json& json, T& value) {
   }
 }
 
+/// What a file holds; nothing where it is missing or damaged.
+template <class T>
+std::optional<T> read_json(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) return std::nullopt;
+  try {
+    T value;
+    set_from_json(parse_json(in), value);
+    return value;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace shellmatch
+
+/// SHELLMATCH_JSON(Spread, n, (p95, percentile)): describes a struct by its members in the order in which they are
+/// written. The key of a member is its name, or stands behind it in brackets.
+#define SHELLMATCH_JSON(Type, ...)                                                 \
+  template <class S, class Member>                                                 \
+  requires std::is_same_v<std::remove_const_t<S>, Type>                            \
+  [[maybe_unused]] static void describe(S& s, Member&& member) {                   \
+    NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(SHELLMATCH_JSON_MEMBER, __VA_ARGS__)) \
+  }
+// Of an entry in brackets SHELLMATCH_JSON_KEYED is chosen, of others SHELLMATCH_JSON_NAMED.
+#define SHELLMATCH_JSON_MEMBER(entry) \
+  SHELLMATCH_JSON_SECOND(SHELLMATCH_JSON_BRACKETS entry, SHELLMATCH_JSON_NAMED, )(entry)
+#define SHELLMATCH_JSON_SECOND(...) SHELLMATCH_JSON_SECOND_OF(__VA_ARGS__)
+#define SHELLMATCH_JSON_SECOND_OF(first, second, ...) second
+#define SHELLMATCH_JSON_BRACKETS(...) , SHELLMATCH_JSON_KEYED
+#define SHELLMATCH_JSON_NAMED(name) member(#name, s.name);
+#define SHELLMATCH_JSON_KEYED(entry) SHELLMATCH_JSON_ENTRY entry
+#define SHELLMATCH_JSON_ENTRY(name, key) member(#key, s.name);

@@ -13,22 +13,8 @@ constexpr const char* names[] = {"finished", "diverged", "failed", "crashed", "t
 
 }  // namespace
 
-template <class Result, class Member>
-requires std::is_same_v<std::remove_const_t<Result>, RunResult>
-static void describe(Result& r, Member&& member) {
-  member("message", r.message);
-  member("exit_code", r.exit_code);
-  member("signal", r.signal);
-  member("fingerprint", r.fingerprint);
-  member("seconds", r.seconds);
-  member("peak_memory_bytes", r.peak_memory_bytes);
-  member("load", r.load);
-  member("limit_seconds", r.limit_seconds);
-  member("limit_memory_mb", r.limit_memory_mb);
-  member("jobs", r.jobs);
-  member("machine", r.machine);
-  member("program", r.program);
-}
+SHELLMATCH_JSON(RunResult, message, exit_code, signal, fingerprint, seconds, peak_memory_bytes, load, limit_seconds,
+                limit_memory_mb, jobs, machine, program)
 
 std::string status_name(RunStatus status) { return names[static_cast<int>(status)]; }
 
