@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <memory>
 
@@ -27,23 +26,17 @@ class PlyBody {
     rest_ = lines_.line();
   }
 
-  double value(PlyType type) {
+  double value(ValueType type) {
     if (form_ == PlyForm::text) return lines_.number_of(rest_, "a value of the " + element_->name);
-    switch (type) {
-      case PlyType::int8: return binary<std::int8_t>();
-      case PlyType::uint8: return binary<std::uint8_t>();
-      case PlyType::int16: return binary<std::int16_t>();
-      case PlyType::uint16: return binary<std::uint16_t>();
-      case PlyType::int32: return binary<std::int32_t>();
-      case PlyType::uint32: return binary<std::uint32_t>();
-      case PlyType::float32: return binary<float>();
-      case PlyType::float64: return binary<double>();
-    }
-    return 0;
+    const std::size_t n = bytes_of(type);
+    if (bytes_.size() < n) ends_early();
+    const double number = value_of(bytes_.data(), type, form_ == PlyForm::big_endian);
+    bytes_.remove_prefix(n);
+    return number;
   }
 
   // A count or an index: an integer in range.
-  std::int64_t integer(PlyType type, const char* what) {
+  std::int64_t integer(ValueType type, const char* what) {
     const double v = value(type);
     if (!(std::abs(v) < 1e15) || v != std::floor(v))
       throw_input_error("{}: {} is {}, which is not a whole number", place().text(), what, v);
@@ -78,16 +71,6 @@ class PlyBody {
   }
 
  private:
-  template <class T>
-  double binary() {
-    static_assert(std::endian::native == std::endian::little);
-    if (bytes_.size() < sizeof(T)) ends_early();
-    std::array<char, sizeof(T)> raw;
-    for (std::size_t i = 0; i < sizeof(T); ++i) raw[form_ == PlyForm::big_endian ? sizeof(T) - 1 - i : i] = bytes_[i];
-    bytes_.remove_prefix(sizeof(T));
-    return static_cast<double>(std::bit_cast<T>(raw));
-  }
-
   [[noreturn]] void ends_early() const {
     throw_input_error("{}: cut off: the header declares {} elements of kind '{}', the file ends in number {}",
                       lines_.path(), element_->n_items, element_->name, item_ + 1);
@@ -121,7 +104,7 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
       normals = true;
       use = Use::drop;
     }
-    if (use == Use::keep) attributes.push_back({p.name, std::string(ply_type_name(p.type)), {}});
+    if (use == Use::keep) attributes.push_back({p.name, std::string(column_type(p.type)), {}});
     uses.push_back(use);
   }
   if (n_of_axis != std::array{1, 1, 1})
@@ -147,8 +130,7 @@ void read_vertices(const PlyElement& element, PlyBody& body, MeshFile& mesh) {
 }
 
 DetailColumn column_of(const PlyProperty& p) {
-  return {p.name, std::string(ply_type_name(p.type)),
-          p.is_list ? std::string(ply_type_name(p.count_type)) : std::string()};
+  return {p.name, std::string(column_type(p.type)), p.is_list ? std::string(column_type(p.count_type)) : std::string()};
 }
 
 // Reads the values of a property of one item.

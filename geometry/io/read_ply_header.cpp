@@ -2,21 +2,11 @@
 
 #include "geometry/surface/space.h"
 
-#include <iterator>
-
 namespace shellmatch {
 namespace {
 
-struct TypeFacts {
-  std::string_view name, new_name;
-  std::size_t size;
-};
-constexpr TypeFacts types[] = {{"char", "int8", 1},     {"uchar", "uint8", 1},   {"short", "int16", 2},
-                               {"ushort", "uint16", 2}, {"int", "int32", 4},     {"uint", "uint32", 4},
-                               {"float", "float32", 4}, {"double", "float64", 8}};
-
-PlyType known_type(std::string_view name, const LineReader& lines) {
-  const std::optional<PlyType> type = ply_type(name);
+ValueType known_type(std::string_view name, const LineReader& lines) {
+  const std::optional<ValueType> type = ply_type(name);
   if (!type) lines.fail("unknown type of a property; PLY has char, uchar, short, ushort, int, uint, float and double");
   return *type;
 }
@@ -50,7 +40,7 @@ void check_size(const PlyHeader& header, const LineReader& lines) {
     std::size_t item = 0;
     for (const PlyProperty& p : element.properties) {
       if (header.form == PlyForm::text) item += 2;
-      else item += ply_type_size(p.is_list ? p.count_type : p.type);
+      else item += bytes_of(p.is_list ? p.count_type : p.type);
     }
     // The last line of a text may lack its end.
     if (item > 0 && element.n_items > (lines.n_left() + 1) / item)
@@ -100,12 +90,13 @@ PlyHeader read_ply_header(LineReader& lines) {
   throw_input_error("{}: cut off: the header has no end_header", lines.path());
 }
 
-std::size_t ply_type_size(PlyType type) { return types[static_cast<std::size_t>(type)].size; }
-std::string_view ply_type_name(PlyType type) { return types[static_cast<std::size_t>(type)].name; }
-
-std::optional<PlyType> ply_type(std::string_view name) {
-  for (std::size_t k = 0; k < std::size(types); ++k)
-    if (name == types[k].name || name == types[k].new_name) return static_cast<PlyType>(k);
+std::optional<ValueType> ply_type(std::string_view name) {
+  using enum ValueType;
+  constexpr std::pair<ValueType, std::string_view> new_names[] = {
+      {int8, "int8"},   {uint8, "uint8"},   {int16, "int16"},     {uint16, "uint16"},
+      {int32, "int32"}, {uint32, "uint32"}, {float32, "float32"}, {float64, "float64"}};
+  for (const auto& [type, new_name] : new_names)
+    if (name == column_type(type) || name == new_name) return type;
   return std::nullopt;
 }
 

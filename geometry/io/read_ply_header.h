@@ -2,6 +2,7 @@
 /// \file
 /// The header of a PLY file: its elements, their numbers and properties.
 
+#include "geometry/bytes/value_type.h"
 #include "geometry/mesh_text/read_text.h"
 
 #include <cstddef>
@@ -13,13 +14,11 @@
 namespace shellmatch {
 
 enum class PlyForm { text, little_endian, big_endian };
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::float32;
+  ValueType type = ValueType::float32;
   bool is_list = false;
-  PlyType count_type = PlyType::uint8;  ///< of a list's length
+  ValueType count_type = ValueType::uint8;  ///< of a list's length
 };
 
 struct PlyElement {
@@ -38,12 +37,8 @@ struct PlyHeader {
 /// is too short for the declared elements.
 PlyHeader read_ply_header(LineReader& lines);
 
-/// Bytes of a value in a binary file.
-std::size_t ply_type_size(PlyType type);
-/// "char", "uchar", ... "double".
-std::string_view ply_type_name(PlyType type);
 /// The type with this name, in the old or the new spelling ("uchar", "uint8"); nothing for other names.
-std::optional<PlyType> ply_type(std::string_view name);
+std::optional<ValueType> ply_type(std::string_view name);
 /// "8 vertex, 12 face".
 std::string describe_counts(const PlyHeader& header);
 

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <limits>
 
 namespace shellmatch {
 namespace {
@@ -19,26 +17,6 @@ static_assert(std::endian::native == std::endian::little);
 template <class T>
 void append(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-// Rounds and clamps to the range of T; NaN becomes 0.
-template <class T>
-void append_integer(std::string& bytes, double value) {
-  const double low = std::numeric_limits<T>::min(), high = std::numeric_limits<T>::max();
-  append(bytes, static_cast<T>(std::isnan(value) ? 0 : std::clamp(std::round(value), low, high)));
-}
-
-void append_value(std::string& bytes, PlyType type, double value) {
-  switch (type) {
-    case PlyType::int8: return append_integer<std::int8_t>(bytes, value);
-    case PlyType::uint8: return append_integer<std::uint8_t>(bytes, value);
-    case PlyType::int16: return append_integer<std::int16_t>(bytes, value);
-    case PlyType::uint16: return append_integer<std::uint16_t>(bytes, value);
-    case PlyType::int32: return append_integer<std::int32_t>(bytes, value);
-    case PlyType::uint32: return append_integer<std::uint32_t>(bytes, value);
-    case PlyType::float32: return append(bytes, static_cast<float>(value));
-    case PlyType::float64: return append(bytes, value);
-  }
 }
 
 // PLY names are single words.
@@ -59,7 +37,7 @@ void declare(const std::vector<DetailColumn>& columns, std::string& header) {
                                    : fmt::format("property list {} {} {}\n", c.count_type, c.type, c.name);
 }
 
-PlyType type_named(const std::string& name) { return ply_type(name).value_or(PlyType::float64); }
+ValueType type_named(const std::string& name) { return ply_type(name).value_or(ValueType::float64); }
 
 // The values of item i, in the order of the columns.
 void append_item(std::string& bytes, const std::vector<DetailColumn>& columns, std::size_t i) {
@@ -97,26 +75,26 @@ void write_ply(const std::string& path, const OriginalShape<3>& shape, Existing 
     n_corners += polygon.size();
     longest = std::max(longest, polygon.size());
   }
-  const PlyType count_type = longest < 256 ? PlyType::uint8 : PlyType::uint32;
+  const ValueType count_type = longest < 256 ? ValueType::uint8 : ValueType::uint32;
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + space_comment("comment ", shape.space);
   for (const std::string& comment : details.ply_comments) bytes += comment + "\n";
   bytes += fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
                        shape.vertices.size());
   const std::vector<std::string> names = ply_names(shape);
-  std::vector<PlyType> types;
+  std::vector<ValueType> types;
   std::vector<const VertexAttribute*> columns;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const VertexAttribute& a = shape.attributes[k];
     if (a.type == "text") continue;
     SHELLMATCH_CHECK(a.values.size() == shape.vertices.size(), "an attribute has one value for each vertex");
     // PLY has no integers of 64 bits.
-    types.push_back(ply_type(a.type).value_or(PlyType::float64));
+    types.push_back(ply_type(a.type).value_or(ValueType::float64));
     columns.push_back(&a);
-    bytes += fmt::format("property {} {}\n", ply_type_name(types.back()), names[k]);
+    bytes += fmt::format("property {} {}\n", column_type(types.back()), names[k]);
   }
   if (!shape.polygons.empty()) {
     bytes += fmt::format("element face {}\nproperty list {} int vertex_indices\n", shape.polygons.size(),
-                         ply_type_name(count_type));
+                         column_type(count_type));
     declare(details.ply_faces, bytes);
   }
   for (const DetailTable& table : details.ply_elements) {

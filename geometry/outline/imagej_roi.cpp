@@ -7,7 +7,7 @@
 #include "geometry/mesh_text/read_text.h"
 #include "geometry/outline/drawing.h"
 #include "geometry/scene/zip_file.h"
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/bytes/inflate.h"
 
 #include <bit>
 #include <cmath>

@@ -2,34 +2,21 @@
 
 #include "base/error.h"
 #include "base/printable.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace shellmatch {
-
-namespace {
-
-template <class Number>
-std::optional<Number> number_of(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
-
-}  // namespace
 
 VoxelChoice parse_choice(std::string_view text, const std::string& source, std::string_view example) {
   VoxelChoice choice;
   if (text.starts_with('>')) {
-    const auto above = number_of<double>(text.substr(1));
+    const auto above = to_double(text.substr(1));
     if (!above || !std::isfinite(*above))
       throw_input_error("{}: '{}' after the last colon is no threshold; write a number, as in \"{}:>0.5\"", source,
                         text, example);
@@ -38,7 +25,7 @@ VoxelChoice parse_choice(std::string_view text, const std::string& source, std::
   }
   for (std::string_view rest = text; !rest.empty();) {
     const std::size_t comma = rest.find(',');
-    const auto label = number_of<std::int64_t>(rest.substr(0, comma));
+    const auto label = to_integer(rest.substr(0, comma));
     if (!label || std::abs(static_cast<double>(*label)) > largest_label) {
       choice.labels.clear();
       break;

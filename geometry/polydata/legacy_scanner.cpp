@@ -2,11 +2,11 @@
 
 #include "base/printable.h"
 #include "base/stop.h"
+#include "geometry/mesh_text/read_text.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 
 namespace shellmatch {
@@ -14,20 +14,6 @@ namespace shellmatch {
 namespace {
 
 constexpr std::string_view legacy_blanks = " \t\r\n\v\f";
-
-char in_lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool is_word(std::string_view text, std::string_view lower_case_word) {
-  return std::ranges::equal(text, lower_case_word, [](char a, char b) { return in_lower_case(a) == b; });
-}
-
-std::optional<double> number_in(std::string_view word) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || end != word.data() + word.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) return std::strtod(std::string(word).c_str(), nullptr);
-  return error == std::errc() ? std::optional(value) : std::nullopt;
-}
 
 }  // namespace
 
@@ -46,9 +32,9 @@ std::string_view LegacyScanner::line() {
 }
 
 std::string_view LegacyScanner::word() {
-  position_ += std::min(left().find_first_not_of(legacy_blanks), left().size());
-  const std::string_view text = left().substr(0, left().find_first_of(legacy_blanks));
-  position_ += text.size();
+  std::string_view rest = left();
+  const std::string_view text = next_word(rest, legacy_blanks);
+  position_ = bytes_.size() - rest.size();
   return text;
 }
 
@@ -67,18 +53,16 @@ std::string LegacyScanner::name() {
 
 bool LegacyScanner::take(std::string_view lower_case_word) {
   const std::size_t before = position_;
-  if (is_word(word(), lower_case_word)) return true;
+  if (equals_ignoring_case(word(), lower_case_word)) return true;
   position_ = before;
   return false;
 }
 
 std::size_t LegacyScanner::count(std::string_view what) {
   const std::string_view text = word();
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size())
-    fail("{} should be a count, not '{}'", what, printable(text, 30));
-  return value;
+  const std::optional<std::int64_t> value = to_integer(text);
+  if (!value || *value < 0) fail("{} should be a count, not '{}'", what, printable(text, 30));
+  return static_cast<std::size_t>(*value);
 }
 
 ValueType LegacyScanner::type() {
@@ -115,7 +99,7 @@ std::vector<double> LegacyScanner::values(ValueType type, std::size_t n, std::st
     stop_check();
     const std::string_view text = word();
     if (text.empty()) fail("cut off: {} of {} {} are there", values.size(), n, what);
-    const std::optional<double> value = number_in(text);
+    const std::optional<double> value = to_double(text);
     if (!value) fail("a number of the {} is '{}'", what, printable(text, 30));
     values.push_back(*value);
   }

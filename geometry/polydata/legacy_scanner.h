@@ -3,7 +3,7 @@
 /// Words, counts and values of a file in VTK's legacy format, with the place of what is wrong.
 
 #include "base/error.h"
-#include "geometry/vtk_xml/value_type.h"
+#include "geometry/bytes/value_type.h"
 
 #include <cstddef>
 #include <string>

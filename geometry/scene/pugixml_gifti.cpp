@@ -1,8 +1,8 @@
 #include "base/printable.h"
 #include "geometry/scene/brain_surface.h"
-#include "geometry/scene/inflate_stream.h"
+#include "geometry/bytes/inflate.h"
 #include "geometry/scene/pugixml_node.h"
-#include "geometry/vtk_xml/value_type.h"
+#include "geometry/bytes/value_type.h"
 
 #include <cmath>
 

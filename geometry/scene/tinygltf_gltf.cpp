@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include <bit>
 #include <cstring>
 #include <filesystem>
 #include <fstream>

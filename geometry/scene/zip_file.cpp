@@ -2,10 +2,7 @@
 
 #include "base/error.h"
 #include "base/printable.h"
-#include "geometry/scene/inflate_stream.h"
-
-#include <algorithm>
-#include <cstdint>
+#include "geometry/bytes/inflate.h"
 
 namespace shellmatch {
 

@@ -3,13 +3,11 @@
 #include "base/error.h"
 #include "base/printable.h"
 #include "base/stop.h"
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/mesh_text/read_text.h"
+#include "geometry/bytes/inflate.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -61,18 +59,12 @@ class XmlValues {
     if (n_ > rest.size() / 2 + 1) damaged(fmt::format("{} values do not fit into it", n_));
     values.reserve(n_);
     StopCheck stop_check;
-    for (;;) {
+    for (std::string_view text = next_word(rest, blanks); !text.empty(); text = next_word(rest, blanks)) {
       stop_check();
-      rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
-      if (rest.empty()) break;
-      const std::string_view text = rest.substr(0, rest.find_first_of(blanks));
-      rest.remove_prefix(text.size());
-      double value = 0;
-      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-      if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
-      else if (error != std::errc()) damaged(fmt::format("'{}' is no number", printable(text, 30)));
-      if (end != text.data() + text.size() || values.size() == n_) damaged(fmt::format("at '{}'", printable(text, 30)));
-      values.push_back(value);
+      const std::optional<double> value = to_double(text);
+      if (!value) damaged(fmt::format("'{}' is no number", printable(text, 30)));
+      if (values.size() == n_) damaged(fmt::format("at '{}'", printable(text, 30)));
+      values.push_back(*value);
     }
     if (values.size() != n_) damaged(fmt::format("{} of {} values are there", values.size(), n_));
     return values;

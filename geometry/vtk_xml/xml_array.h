@@ -2,7 +2,7 @@
 /// \file
 /// The values of an array in VTK's XML files: as text, as base64 or raw, compressed by zlib or not.
 
-#include "geometry/vtk_xml/value_type.h"
+#include "geometry/bytes/value_type.h"
 
 #include <cstddef>
 #include <string>

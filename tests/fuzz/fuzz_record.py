@@ -13,7 +13,7 @@ IO, OUTLINE = "geometry/io/read_", "geometry/outline/"
 READERS = {
     "obj": [IO + "obj.cpp", "geometry/mesh_text/read_mesh_formats.cpp", "geometry/mesh_text/read_text.cpp"], "off": [IO + "off.cpp"],
     "ply": [IO + "ply.cpp", IO + "ply_header.cpp"], "stl": [IO + "stl.cpp"],
-    "gifti": ["geometry/scene/pugixml_gifti.cpp", "geometry/scene/pugixml_node.cpp", "geometry/scene/zlib_stream.cpp"],
+    "gifti": ["geometry/scene/pugixml_gifti.cpp", "geometry/scene/pugixml_node.cpp", "geometry/bytes/zlib_stream.cpp"],
     "freesurfer": ["geometry/scene/read_freesurfer.cpp"], "gltf": ["geometry/scene/tinygltf_gltf.cpp", "geometry/scene/scene_shape.cpp"],
     "collada": ["geometry/scene/pugixml_collada.cpp"], "three_mf": ["geometry/scene/pugixml_three_mf.cpp", "geometry/scene/zip_file.cpp"],
     "tps": [OUTLINE + "tps_file.cpp", OUTLINE + "tps_outline.cpp"], "roi": [OUTLINE + "imagej_roi.cpp"],
@@ -21,7 +21,7 @@ READERS = {
     "svg": [OUTLINE + "pugixml_svg.cpp", OUTLINE + "svg_text.cpp", OUTLINE + "drawn_path.cpp"],
     "vti": ["geometry/volume/vti_file.cpp"],
     "vtk": ["geometry/polydata/legacy_file.cpp", "geometry/polydata/legacy_scanner.cpp", "geometry/polydata/polydata.cpp"],
-    "vtp": ["geometry/polydata/vtp_file.cpp", "geometry/vtk_xml/xml_file.cpp", "geometry/vtk_xml/xml_array.cpp", "geometry/vtk_xml/value_type.cpp"],
+    "vtp": ["geometry/polydata/vtp_file.cpp", "geometry/vtk_xml/xml_file.cpp", "geometry/vtk_xml/xml_array.cpp", "geometry/bytes/value_type.cpp"],
     "points2": [IO + "points.cpp"],
     "points3": [IO + "points.cpp"], "png": ["geometry/picture/png_picture.cpp", "geometry/picture/picture.cpp"], "pgm": [IO + "pgm.cpp", "geometry/picture/read_mask.cpp", "geometry/picture/picture_shape.cpp"],
     "tiff": ["geometry/picture/tiff_picture.cpp"], "jpeg": ["geometry/picture/jpeg_picture.cpp", "geometry/picture/orientation.cpp"], "bmp": ["geometry/picture/read_bmp.cpp"],

@@ -1,6 +1,6 @@
 // In place of zlib: a block that is stored as it is, of exactly the length that is asked for, is taken so. Others are
 // expanded by zlib.
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/bytes/inflate.h"
 
 #include <zlib.h>
 

@@ -49,7 +49,7 @@ const std::vector<Adapter>& adapter_table() {
       {"libtiff", {"tiff"}, {"geometry/picture/tiff_*.cpp"}},
       {"libjpeg-turbo", {"turbojpeg", "jpeglib"}, {"geometry/picture/jpeg_*.cpp"}},
       {"libdeflate", {"libdeflate"}, {"matching/map_file/libdeflate_*.cpp"}},
-      {"zlib", {"zlib"}, {"geometry/vtk_xml/zlib_*.cpp", "geometry/volume/zlib_*.cpp", "geometry/scene/zlib_*.cpp"}},
+      {"zlib", {"zlib"}, {"geometry/bytes/zlib_*.cpp", "geometry/volume/zlib_*.cpp"}},
       {"assimp", {"assimp/"}, {}},
       {"tinygltf", {"tiny_gltf.h"}, {"geometry/scene/tinygltf_*.cpp"}},
       {"pugixml", {"pugixml"}, {"geometry/scene/pugixml_*", "geometry/outline/pugixml_*"}},

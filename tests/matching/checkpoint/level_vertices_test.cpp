@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/stop.h"
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/bytes/inflate.h"
 #include "matching/checkpoint/checkpoints.h"
 #include "matching/json/json_text.h"
 #include "matching/output/written_files.h"

@@ -1,6 +1,6 @@
 // What deflate() compresses, zlib inflates.
 #include "matching/map_file/deflate.h"
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/bytes/inflate.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "matching/report/packed_arrays.h"
 
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/bytes/inflate.h"
 
 #include <gtest/gtest.h>
 

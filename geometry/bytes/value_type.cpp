@@ -1,10 +1,13 @@
-#include "geometry/vtk_xml/value_type.h"
+#include "geometry/bytes/value_type.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 namespace shellmatch {
 
@@ -16,8 +19,7 @@ struct ValueTypeFacts {
   std::string_view legacy, xml, column;
   std::size_t size;
 };
-constexpr ValueTypeFacts value_types[] = {{"bit", "", "uchar", 0},
-                                          {"char", "Int8", "char", 1},
+constexpr ValueTypeFacts value_types[] = {{"char", "Int8", "char", 1},
                                           {"unsigned_char", "UInt8", "uchar", 1},
                                           {"short", "Int16", "short", 2},
                                           {"unsigned_short", "UInt16", "ushort", 2},
@@ -26,7 +28,8 @@ constexpr ValueTypeFacts value_types[] = {{"bit", "", "uchar", 0},
                                           {"vtktypeint64", "Int64", "int64", 8},
                                           {"vtktypeuint64", "UInt64", "uint64", 8},
                                           {"float", "Float32", "float", 4},
-                                          {"double", "Float64", "double", 8}};
+                                          {"double", "Float64", "double", 8},
+                                          {"bit", "", "uchar", 0}};
 
 const ValueTypeFacts& facts_of(ValueType type) { return value_types[static_cast<std::size_t>(type)]; }
 
@@ -36,14 +39,29 @@ std::optional<ValueType> type_named(std::string_view name, std::string_view Valu
   return static_cast<ValueType>(at - std::begin(value_types));
 }
 
-template <class T>
-void append_values(std::string_view bytes, std::size_t n, bool is_big_endian, std::vector<double>& values) {
-  for (std::size_t i = 0; i < n; ++i) {
-    std::array<char, sizeof(T)> raw;
-    std::memcpy(raw.data(), bytes.data() + i * sizeof(T), sizeof(T));
-    if (is_big_endian) std::ranges::reverse(raw);
-    values.push_back(static_cast<double>(std::bit_cast<T>(raw)));
+// Calls `use` with a value of the C++ type.
+template <class Use>
+decltype(auto) with_type(ValueType type, const Use& use) {
+  switch (type) {
+    case ValueType::int8: return use(std::int8_t{});
+    case ValueType::uint8: return use(std::uint8_t{});
+    case ValueType::int16: return use(std::int16_t{});
+    case ValueType::uint16: return use(std::uint16_t{});
+    case ValueType::int32: return use(std::int32_t{});
+    case ValueType::uint32: return use(std::uint32_t{});
+    case ValueType::int64: return use(std::int64_t{});
+    case ValueType::uint64: return use(std::uint64_t{});
+    case ValueType::float32: return use(float{});
+    default: return use(double{});
   }
+}
+
+template <class T>
+double number_at(const char* at, bool is_big_endian) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), at, sizeof(T));
+  if (is_big_endian) std::ranges::reverse(raw);
+  return static_cast<double>(std::bit_cast<T>(raw));
 }
 
 }  // namespace
@@ -60,30 +78,41 @@ std::optional<ValueType> legacy_type(std::string_view name) {
 
 std::optional<ValueType> xml_type(std::string_view name) { return type_named(name, &ValueTypeFacts::xml); }
 std::string_view column_type(ValueType type) { return facts_of(type).column; }
+
 std::size_t bytes_of(ValueType type, std::size_t n) {
   return type == ValueType::bit ? (n + 7) / 8 : n * facts_of(type).size;
+}
+
+double value_of(const char* at, ValueType type, bool is_big_endian) {
+  return with_type(type, [&]<class T>(T) { return number_at<T>(at, is_big_endian); });
 }
 
 std::vector<double> values_of(std::string_view bytes, ValueType type, std::size_t n, bool is_big_endian) {
   std::vector<double> values;
   values.reserve(n);
-  switch (type) {
-    case ValueType::bit:
-      for (std::size_t i = 0; i < n; ++i)
-        values.push_back((static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8)) & 1);
-      break;
-    case ValueType::int8: append_values<std::int8_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::uint8: append_values<std::uint8_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::int16: append_values<std::int16_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::uint16: append_values<std::uint16_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::int32: append_values<std::int32_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::uint32: append_values<std::uint32_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::int64: append_values<std::int64_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::uint64: append_values<std::uint64_t>(bytes, n, is_big_endian, values); break;
-    case ValueType::float32: append_values<float>(bytes, n, is_big_endian, values); break;
-    case ValueType::float64: append_values<double>(bytes, n, is_big_endian, values); break;
+  if (type == ValueType::bit) {
+    for (std::size_t i = 0; i < n; ++i) values.push_back((static_cast<unsigned char>(bytes[i / 8]) >> (7 - i % 8)) & 1);
+    return values;
   }
+  with_type(type, [&]<class T>(T) {
+    for (std::size_t i = 0; i < n; ++i) values.push_back(number_at<T>(bytes.data() + i * sizeof(T), is_big_endian));
+  });
   return values;
+}
+
+void append_value(std::string& bytes, ValueType type, double value) {
+  with_type(type, [&]<class T>(T number) {
+    if constexpr (std::is_integral_v<T>) {
+      // The largest integers of 64 bits are no doubles.
+      constexpr double exact = 9007199254740992;
+      const double least = std::max<double>(std::numeric_limits<T>::min(), -exact),
+                   most = std::min<double>(std::numeric_limits<T>::max(), exact);
+      number = static_cast<T>(std::isnan(value) ? 0 : std::clamp(std::round(value), least, most));
+    } else {
+      number = static_cast<T>(value);
+    }
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+  });
 }
 
 std::optional<std::string> decode_base64(std::string_view text) {

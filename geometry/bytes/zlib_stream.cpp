@@ -1,6 +1,4 @@
-#include "geometry/scene/inflate_stream.h"
-
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/bytes/inflate.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/vtk_xml/inflate.h"
+#include "geometry/bytes/inflate.h"
 
 #include <zlib.h>
 
