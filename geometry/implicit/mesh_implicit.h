@@ -6,6 +6,7 @@
 #include "geometry/surface/surface.h"
 
 #include <string_view>
+#include <vector>
 
 namespace shellmatch {
 
@@ -19,5 +20,22 @@ enum class Details { needed, as_they_come };
 /// too coarse for the body's details, unless `details` says otherwise, or where the body leaves [0.05, 0.95]^3.
 Surface<3> mesh_implicit(const ImplicitFunction& f, double edge_length, std::string_view name,
                          Details details = Details::needed);
+
+/// Flips edges of a closed two-manifold as long as the two angles opposite an edge sum to more than pi (the
+/// Delaunay criterion). An edge is not flipped if the new edge exists already or if a triangle would be
+/// inverted, as seen along the normal of the edge.
+void swap_to_delaunay(Surface<3>& surface);
+
+/// Moves every vertex within its tangent plane towards the mean of the triangles around it, and then back to
+/// the zero level of f by a simplified Newton step (with the gradient at the old position); `n_sweeps` times.
+void smooth_tangentially(const ImplicitFunction& f, int n_sweeps, Surface<3>& surface);
+
+/// The vertices, ascending, at which the surface is no closed two-manifold: an edge is not shared by exactly two facets
+/// with opposite directions, or the facets form no single fan.
+std::vector<Index> vertices_without_a_fan(const Surface<3>& surface);
+
+inline bool is_closed_manifold(const Surface<3>& surface) {
+  return !surface.facets.empty() && vertices_without_a_fan(surface).empty();
+}
 
 }  // namespace shellmatch

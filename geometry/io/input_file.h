@@ -45,7 +45,7 @@ int dimension_of(FileFormat format);
 /// Is it a mask?
 bool is_picture(FileFormat format);
 
-/// Can a part of such a file be chosen, as in "cells.png:3" (geometry/io/part_name.h)?
+/// Can a part of such a file be chosen, as in "cells.png:3" (geometry/io/input_file.h)?
 bool has_parts(FileFormat format);
 
 /// A file that exists: no folder, and no pipe or device, of which nobody knows whether it ends.
@@ -63,5 +63,16 @@ class InputFile {
   std::string path_;
   FileFormat format_;
 };
+
+/// The name of a part of a picture or a drawing: "cells.png:3", "cells.tif:>100", "rois.zip:NAME",
+/// "cells.geojson:NAME".
+struct PartName {
+  std::string file;
+  std::string part;  ///< empty: none is chosen
+};
+
+/// Splits a name at the first colon after the ending of a picture or a drawing; a colon elsewhere belongs to the file's
+/// name.
+PartName split_part(const std::string& source);
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "geometry/io/read_points.h"
 
+#include "base/instantiate.h"
 #include "geometry/mesh_text/read_text.h"
 #include "geometry/surface/mesh_details.h"
 
@@ -193,7 +194,6 @@ OriginalShape<Dim> read_points(const std::string& path, std::string_view bytes, 
   return shape;
 }
 
-template OriginalShape<2> read_points<2>(const std::string&, std::string_view, bool);
-template OriginalShape<3> read_points<3>(const std::string&, std::string_view, bool);
+SHELLMATCH_2D_3D(read_points);
 
 }  // namespace shellmatch

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/stop.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/part_name.h"
 #include "geometry/io/picture_height.h"
 #include "geometry/io/read_points.h"
 #include "geometry/mesh_text/read_mesh_formats.h"

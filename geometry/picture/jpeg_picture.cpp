@@ -1,6 +1,5 @@
 // JPEG through libjpeg-turbo's own interface, which returns errors instead of calling longjmp().
 #include "base/error.h"
-#include "geometry/picture/orientation.h"
 #include "geometry/picture/picture.h"
 
 #include <fmt/format.h>
@@ -9,7 +8,6 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <type_traits>
 
 namespace shellmatch {
 

@@ -49,4 +49,13 @@ Picture read_jpeg(const std::string& path, std::string_view bytes);
 /// BMP with 1, 4 or 8 bits and a palette, or 24 or 32 bits, not compressed. \throws as above.
 Picture read_bmp(const std::string& path, std::string_view bytes);
 
+struct Picture;
+
+/// EXIF's orientation (CIPA DC-008, tag 0x0112) of a JPEG or PNG: from 1, as it is stored, to 8. 1 where it says
+/// nothing that can be read.
+int exif_orientation(std::string_view bytes);
+
+/// Adds a note where the orientation is not 1.
+void note_orientation(int orientation, Picture& picture);
+
 }  // namespace shellmatch

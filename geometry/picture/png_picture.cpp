@@ -1,7 +1,7 @@
 // PNG: its brightness through libpng's simplified interface, which handles damaged files safely (VTK 9.1's reader calls
 // longjmp() into a function that has returned), and the values of grey pictures and palettes as they are.
 #include "base/error.h"
-#include "geometry/picture/orientation.h"
+#include "geometry/picture/picture.h"
 #include "geometry/picture/read_mask.h"
 
 #include <png.h>

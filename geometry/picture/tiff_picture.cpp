@@ -2,13 +2,11 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/picture/label_choice.h"
-#include "geometry/picture/orientation.h"
 #include "geometry/picture/picture.h"
 
 #include <tiffio.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <memory>

@@ -1,4 +1,5 @@
 #include "base/error.h"
+#include "base/instantiate.h"
 #include "matching/checkpoint/alignment_file.h"
 #include "matching/json/json_members.h"
 #include "matching/output/write_file.h"
@@ -155,9 +156,7 @@ AlignmentFindings<Dim> read_alignment(const std::string& path) {
   return findings;
 }
 
-template void write_alignment<2>(const AlignmentFindings<2>&, const std::string&);
-template void write_alignment<3>(const AlignmentFindings<3>&, const std::string&);
-template AlignmentFindings<2> read_alignment<2>(const std::string&);
-template AlignmentFindings<3> read_alignment<3>(const std::string&);
+SHELLMATCH_2D_3D(write_alignment);
+SHELLMATCH_2D_3D(read_alignment);
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "matching/checkpoint/level_vertices.h"
 
+#include "base/instantiate.h"
 #include "base/error.h"
 #include "matching/experiment/level_overrides.h"
 #include "matching/output/write_file.h"
@@ -75,9 +76,7 @@ std::vector<LevelVertices<Dim>> read_level_vertices(const std::string& path, std
   return levels;
 }
 
-template void write_level_vertices<2>(std::span<const LevelVertices<2>>, const std::string&);
-template void write_level_vertices<3>(std::span<const LevelVertices<3>>, const std::string&);
-template std::vector<LevelVertices<2>> read_level_vertices<2>(const std::string&, std::size_t);
-template std::vector<LevelVertices<3>> read_level_vertices<3>(const std::string&, std::size_t);
+SHELLMATCH_2D_3D(write_level_vertices);
+SHELLMATCH_2D_3D(read_level_vertices);
 
 }  // namespace shellmatch

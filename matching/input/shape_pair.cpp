@@ -1,5 +1,6 @@
 #include "matching/input/shape_pair.h"
 
+#include "base/instantiate.h"
 #include "base/error.h"
 #include "geometry/distance/buried_parts.h"
 #include "geometry/io/picture_height.h"
@@ -170,9 +171,7 @@ AnyShapePair open_shape_pair(std::array<ShapeInput, 2> shapes, const InputOption
 
 template struct ShapePair<2>;
 template struct ShapePair<3>;
-template void leave_out_buried<2>(ShapePair<2>&, const InputOptions&, Observer&);
-template void leave_out_buried<3>(ShapePair<3>&, const InputOptions&, Observer&);
-template void share_space<2>(ShapePair<2>&, Observer&);
-template void share_space<3>(ShapePair<3>&, Observer&);
+SHELLMATCH_2D_3D(leave_out_buried);
+SHELLMATCH_2D_3D(share_space);
 
 }  // namespace shellmatch

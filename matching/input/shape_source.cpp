@@ -1,6 +1,6 @@
 #include "matching/input/shape_source.h"
 
-#include "geometry/io/part_name.h"
+#include "geometry/io/input_file.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/volume/volume_header.h"
 #include "geometry/volume/volume_name.h"

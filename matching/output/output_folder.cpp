@@ -4,7 +4,6 @@
 #include "base/replace_file.h"
 #include "matching/output/hidden_names.h"
 #include "matching/output/leftovers.h"
-#include "matching/output/mount_point.h"
 #include "matching/output/write_file.h"
 #include "matching/output/written_files.h"
 

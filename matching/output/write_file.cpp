@@ -4,6 +4,7 @@
 #include "base/replace_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -27,6 +28,16 @@ void write_file(const std::string& path, std::string_view contents) {
   int error = file < 0 ? errno : write_bytes(file, contents);
   if (file >= 0 && ::close(file) != 0 && error == 0) error = errno;
   if (error != 0) cannot_write(path, error);
+}
+
+bool is_mount_point(const std::filesystem::path& folder) {
+  struct statx found {};
+  if (::statx(AT_FDCWD, folder.c_str(), 0, STATX_BASIC_STATS, &found) != 0) return false;
+  if ((found.stx_attributes_mask & STATX_ATTR_MOUNT_ROOT) != 0)
+    return (found.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+  struct statx above {};
+  return ::statx(AT_FDCWD, folder.parent_path().c_str(), 0, STATX_BASIC_STATS, &above) == 0 &&
+         (found.stx_dev_major != above.stx_dev_major || found.stx_dev_minor != above.stx_dev_minor);
 }
 
 }  // namespace shellmatch

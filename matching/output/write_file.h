@@ -2,6 +2,7 @@
 /// \file
 /// Writes whole files, and reports failures to do so.
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,9 @@ void synchronise_file(const std::string& path);
 
 /// Throws EnvironmentError for the system's error number `error`.
 [[noreturn]] void cannot_write(const std::string& path, int error);
+
+/// Whether the folder is the root of a mounted file system, which can be filled but not renamed. False where it is not
+/// there.
+bool is_mount_point(const std::filesystem::path& folder);
 
 }  // namespace shellmatch

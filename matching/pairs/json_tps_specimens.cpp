@@ -3,7 +3,6 @@
 #include "base/printable.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/part_name.h"
 #include "geometry/outline/drawing.h"
 #include "matching/json/json_text.h"
 

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/part_name.h"
 #include "geometry/outline/tps_file.h"
 #include "matching/pairs/landmark_rows.h"
 #include "matching/pairs/slicer_points.h"

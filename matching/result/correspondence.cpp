@@ -1,5 +1,6 @@
 #include "matching/result/correspondence.h"
 
+#include "base/instantiate.h"
 #include "base/error.h"
 #include "base/printable.h"
 #include "geometry/io/input_file.h"
@@ -41,11 +42,7 @@ double correspondence_error(const Correspondence<Dim>& truth, const std::vector<
   return sum / static_cast<double>(truth.size());
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                       \
-  template Correspondence<Dim> read_correspondence<Dim>(const std::string&, std::size_t); \
-  template double correspondence_error<Dim>(const Correspondence<Dim>&, const std::vector<Vec<Dim>>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(read_correspondence);
+SHELLMATCH_2D_3D(correspondence_error);
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "matching/result/deformed_shape.h"
 
+#include "base/instantiate.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"
@@ -9,7 +10,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -89,13 +89,8 @@ OriginalShape<Dim> template_with_distance(const OriginalShape<Dim>& template_sha
   return covered;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
-  template void add_correspondence<Dim>(OriginalShape<Dim>&, const OriginalShape<Dim>&, const Similarity<Dim>&); \
-  template OriginalShape<Dim> template_with_distance<Dim>(const OriginalShape<Dim>&, const MapFrame<Dim>&,       \
-                                                          const SignedDistance<Dim>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(add_correspondence);
+SHELLMATCH_2D_3D(template_with_distance);
 
 namespace {
 
@@ -155,12 +150,7 @@ OriginalShape<Dim> deformed_original(const OriginalShape<Dim>& reference, std::v
   return moved;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                    \
-  template void set_attribute<Dim>(OriginalShape<Dim>&, VertexAttribute);                              \
-  template OriginalShape<Dim> deformed_original<Dim>(const OriginalShape<Dim>&, std::vector<Vec<Dim>>, \
-                                                     const Deformation<Dim>&, const SignedDistance<Dim>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(set_attribute);
+SHELLMATCH_2D_3D(deformed_original);
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "matching/result/figures.h"
 
+#include "base/instantiate.h"
 #include "geometry/distance/distortion.h"
 #include "geometry/distance/measured_parts.h"
 #include "geometry/distance/surface_distance.h"
@@ -149,15 +150,9 @@ Vec<Dim> most_distorted_place(const Surface<Dim>& reference, const Surface<Dim>&
   return deformed.vertices[static_cast<std::size_t>(std::ranges::max_element(sum) - sum.begin())];
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                             \
-  template LocatedDistance<Dim> two_sided_distance<Dim>(                                                        \
-      const Surface<Dim>&, const std::function<Surface<Dim>(const Surface<Dim>&)>&, const SignedDistance<Dim>&, \
-      const ObservedPair<Dim>&, double, std::size_t);                                                           \
-  template Surface<Dim> measured_facets<Dim>(const Surface<Dim>&, const std::vector<char>&);                    \
-  template Vec<Dim> most_distorted_place<Dim>(const Surface<Dim>&, const Surface<Dim>&);                        \
-  template void add_distortion<Dim>(MatchSummary&, const Surface<Dim>&, const Surface<Dim>&, const SignedDistance<Dim>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(two_sided_distance);
+SHELLMATCH_2D_3D(measured_facets);
+SHELLMATCH_2D_3D(most_distorted_place);
+SHELLMATCH_2D_3D(add_distortion);
 
 }  // namespace shellmatch

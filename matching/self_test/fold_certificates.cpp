@@ -1,4 +1,6 @@
-#include "matching/self_test/known_cases.h"
+#include "matching/self_test/self_test.h"
+
+#include "base/instantiate.h"
 
 #include <Eigen/LU>
 
@@ -79,7 +81,6 @@ std::vector<SelfCheck> check_fold_certificates(const BoundsOfDeterminants<Dim>& 
           {"", "share of folded cells, against a half", std::abs(share - 0.5), 0.45}};
 }
 
-template std::vector<SelfCheck> check_fold_certificates<2>(const BoundsOfDeterminants<2>&);
-template std::vector<SelfCheck> check_fold_certificates<3>(const BoundsOfDeterminants<3>&);
+SHELLMATCH_2D_3D(check_fold_certificates);
 
 }  // namespace shellmatch

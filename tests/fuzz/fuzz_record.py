@@ -24,7 +24,7 @@ READERS = {
     "vtp": ["geometry/polydata/vtp_file.cpp", "geometry/vtk_xml/xml_file.cpp", "geometry/vtk_xml/xml_array.cpp", "geometry/bytes/value_type.cpp"],
     "points2": [IO + "points.cpp"],
     "points3": [IO + "points.cpp"], "png": ["geometry/picture/png_picture.cpp", "geometry/picture/picture.cpp"], "pgm": [IO + "pgm.cpp", "geometry/picture/read_mask.cpp", "geometry/picture/picture_shape.cpp"],
-    "tiff": ["geometry/picture/tiff_picture.cpp"], "jpeg": ["geometry/picture/jpeg_picture.cpp", "geometry/picture/orientation.cpp"], "bmp": ["geometry/picture/read_bmp.cpp"],
+    "tiff": ["geometry/picture/tiff_picture.cpp"], "jpeg": ["geometry/picture/jpeg_picture.cpp", "geometry/picture/picture.cpp"], "bmp": ["geometry/picture/read_bmp.cpp"],
     "nifti": ["geometry/volume/nifti_header.cpp", "geometry/volume/nifti_placement.cpp", "geometry/volume/volume.cpp", "geometry/volume/read_volume.cpp", "geometry/volume/volume_header.cpp"],
     "nifti_gz": ["geometry/volume/zlib_volume.cpp"], "nrrd": ["geometry/volume/nrrd_header.cpp", "geometry/volume/header_fields.cpp"],
     "meta_image": ["geometry/volume/meta_image_header.cpp"],

@@ -1,10 +1,13 @@
 #include "apps/cohorts/execution/atlas.h"
 
-#include "base/error.h"
+#include "base/instantiate.h"
 #include "apps/cohorts/subjects/point_file.h"
+#include "base/error.h"
+#include "geometry/distance/surface_distance.h"
 #include "geometry/io/read_shape.h"
 #include "geometry/io/write_shape.h"
 
+#include <cmath>
 #include <filesystem>
 
 namespace shellmatch {
@@ -83,12 +86,54 @@ bool has_atlas(const std::string& folder, const std::string& name, int dimension
   return fs::exists(shape_file(folder, name, dimension));
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                         \
-  template Atlas<Dim> make_atlas<Dim>(OriginalShape<Dim>, std::vector<NamedPoint<Dim>>, const std::string&, \
-                                      const std::string&);                                                  \
-  template Atlas<Dim> read_atlas<Dim>(const std::string&, const std::string&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+namespace {
+
+// Mean square distance of corresponding points.
+template <int Dim>
+double square_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& weights) {
+  double sum = 0;
+  for (Eigen::Index p = 0; p < weights.size(); ++p)
+    sum += weights[p] * (a.segment<Dim>(Dim * p) - b.segment<Dim>(Dim * p)).squaredNorm();
+  return sum;
+}
+
+// Root mean square over the surface.
+template <int Dim>
+double distance_from_surface(const std::vector<Vec<Dim>>& points, const Atlas<Dim>& atlas) {
+  const std::vector<double> distances = distances_to(points, atlas.surface);
+  double sum = 0;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    sum += atlas.weights[static_cast<Eigen::Index>(v)] * distances[v] * distances[v];
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+template <int Dim>
+MeanAtlas<Dim> mean_atlas(const Atlas<Dim>& atlas, const PointSets& images, ProcrustesKind kind) {
+  const AlignedSets aligned = procrustes(images, atlas.weights, atlas.points, kind);
+  MeanAtlas<Dim> mean;
+  mean.shape = atlas.shape;
+  mean.landmarks = atlas.landmarks;
+  Eigen::Index p = 0;
+  for (Vec<Dim>& x : mean.shape.vertices) x = aligned.mean.segment<Dim>(Dim * p++);
+  for (NamedPoint<Dim>& landmark : mean.landmarks) landmark.point = aligned.mean.segment<Dim>(Dim * p++);
+  mean.change = distance_from_surface(mean.shape.vertices, atlas) / atlas.diagonal;
+  double sum = 0, least = 0;
+  for (Eigen::Index k = 0; k < images.n_sets(); ++k) {
+    const double square = square_distance<Dim>(aligned.sets.coordinates.col(k), aligned.mean, atlas.weights);
+    sum += square;
+    if (k == 0 || square < least) {
+      least = square;
+      mean.nearest = static_cast<std::size_t>(k);
+    }
+  }
+  mean.spread = std::sqrt(sum / static_cast<double>(images.n_sets())) / atlas.diagonal;
+  return mean;
+}
+
+SHELLMATCH_2D_3D(make_atlas);
+SHELLMATCH_2D_3D(read_atlas);
+SHELLMATCH_2D_3D(mean_atlas);
 
 }  // namespace shellmatch

@@ -1,12 +1,14 @@
 #pragma once
 /// \file
-/// The shape that is deformed onto every subject.
+/// The shape that is deformed onto every subject, and the mean of its images, the atlas of the next round.
 
 #include "apps/cohorts/execution/stage.h"
+#include "geometry/statistics/point_sets.h"
+#include "geometry/statistics/procrustes.h"
 #include "geometry/surface/surface.h"
 #include "matching/pairs/landmark_file.h"
-#include "geometry/statistics/point_sets.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -36,5 +38,20 @@ Atlas<Dim> read_atlas(const std::string& folder, const std::string& name);
 
 /// Whether make_atlas() has written it.
 bool has_atlas(const std::string& folder, const std::string& name, int dimension);
+
+template <int Dim>
+struct MeanAtlas {
+  OriginalShape<Dim> shape;                ///< the atlas with its vertices at their means
+  std::vector<NamedPoint<Dim>> landmarks;  ///< likewise
+  /// Root mean square distance of the mean's points from the atlas' surface, over the atlas' diagonal. Points
+  /// may slide along the surface, which does not change the shape.
+  double change = 0;
+  double spread = 0;        ///< of the images about the mean, root mean square over the surface and the atlas' diagonal
+  std::size_t nearest = 0;  ///< the column of the image that is nearest to the mean
+};
+
+/// \param images of Atlas::points, one column for each subject, at least one
+template <int Dim>
+MeanAtlas<Dim> mean_atlas(const Atlas<Dim>& atlas, const PointSets& images, ProcrustesKind kind);
 
 }  // namespace shellmatch

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "apps/cohorts/execution/atlas.h"
 #include "apps/cohorts/execution/kept_results.h"
-#include "apps/cohorts/execution/mean_atlas.h"
 #include "apps/cohorts/execution/round_record.h"
 #include "apps/cohorts/execution/stage_tasks.h"
 #include "apps/cohorts/subjects/mirrored.h"
@@ -13,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 namespace shellmatch {

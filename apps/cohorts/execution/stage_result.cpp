@@ -1,5 +1,6 @@
 #include "apps/cohorts/execution/stage_result.h"
 
+#include "base/instantiate.h"
 #include "base/error.h"
 #include "geometry/io/picture_height.h"
 #include "geometry/io/read_shape.h"
@@ -8,7 +9,6 @@
 #include "matching/pairs/point_frame.h"
 #include "matching/report/report.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -170,12 +170,6 @@ StageResult<Dim> read_stage(const Cohort& cohort, const Stage& stage, const Runs
   return reader.take();
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                         \
-  template StageResult<Dim> read_stage<Dim>(const Cohort&, const Stage&, const RunsFolder&, \
-                                            const std::vector<RunTask>&, const Atlas<Dim>&, \
-                                            const std::vector<std::string>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(read_stage);
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "apps/cohorts/output/cohort_statistics.h"
 
+#include "base/instantiate.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -115,7 +116,6 @@ CohortResult<Dim> cohort_statistics(const Cohort& cohort, FinishedCohort<Dim> fi
   return result;
 }
 
-template CohortResult<2> cohort_statistics<2>(const Cohort&, FinishedCohort<2>, std::vector<std::string>&);
-template CohortResult<3> cohort_statistics<3>(const Cohort&, FinishedCohort<3>, std::vector<std::string>&);
+SHELLMATCH_2D_3D(cohort_statistics);
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "apps/cohorts/output/cohort_summary.h"
 
+#include "base/instantiate.h"
 #include "matching/progress/process_info.h"
 
 #include <fmt/format.h>
@@ -102,7 +103,6 @@ std::string without_result(const CohortSummary& summary, const std::vector<Subje
                      first->message.empty() ? "" : ": ", first->message);
 }
 
-template CohortSummary cohort_summary<2>(const CohortResult<2>&, const std::vector<CarriedLandmark<2>>&);
-template CohortSummary cohort_summary<3>(const CohortResult<3>&, const std::vector<CarriedLandmark<3>>&);
+SHELLMATCH_2D_3D(cohort_summary);
 
 }  // namespace shellmatch

@@ -1,5 +1,6 @@
 #include "apps/cohorts/output/cohort_tables.h"
 
+#include "base/instantiate.h"
 #include "base/text.h"
 #include "apps/cohorts/report/worst_first.h"
 #include "geometry/mesh_text/read_text.h"
@@ -156,16 +157,8 @@ std::string returned_landmarks_csv(const std::vector<SubjectResult>& subjects,
   return text;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                               \
-  template std::string landmarks_csv<Dim>(const std::vector<SubjectResult>&, const std::vector<NamedPoint<Dim>>&, \
-                                          const std::vector<CarriedLandmark<Dim>>&);                              \
-  template std::vector<PointSet<Dim>> landmark_sets<Dim>(const std::vector<SubjectResult>&,                       \
-                                                         const std::vector<NamedPoint<Dim>>&,                     \
-                                                         const std::vector<CarriedLandmark<Dim>>&);               \
-  template std::string returned_landmarks_csv<Dim>(const std::vector<SubjectResult>&,                             \
-                                                   const std::vector<ReturnedLandmark<Dim>>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(landmarks_csv);
+SHELLMATCH_2D_3D(landmark_sets);
+SHELLMATCH_2D_3D(returned_landmarks_csv);
 
 }  // namespace shellmatch

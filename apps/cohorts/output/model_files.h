@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The shape model of a cohort as arrays and meshes.
+/// The shape model of a cohort as arrays, meshes and animations.
 
 #include "apps/cohorts/cohort_result.h"
 
@@ -19,5 +19,11 @@ inline constexpr double mode_deviations = 2;
 template <int Dim>
 void write_model(const CohortResult<Dim>& result, const Eigen::MatrixXd& points, int n_mode_meshes,
                  const std::string& folder);
+
+/// Writes mode_1.webp, mode_2.webp, ... of the first modes: the shape swings between so many standard
+/// deviations on either side of the mean (mode_deviations), with its displacement from the mean as colour.
+/// \pre result.model \throws EnvironmentError if a file cannot be written
+template <int Dim>
+void write_mode_animations(const CohortResult<Dim>& result, int n_modes, const std::string& folder);
 
 }  // namespace shellmatch

@@ -1,11 +1,11 @@
 #include "apps/cohorts/output/write_cohort.h"
 
+#include "base/instantiate.h"
 #include "base/replace_file.h"
 #include "apps/cohorts/execution/kept_results.h"
 #include "apps/cohorts/output/cohort_statistics.h"
 #include "apps/cohorts/output/cohort_summary.h"
 #include "apps/cohorts/output/cohort_tables.h"
-#include "apps/cohorts/output/mode_animations.h"
 #include "apps/cohorts/output/model_files.h"
 #include "apps/cohorts/output/own_files.h"
 #include "apps/cohorts/report/cohort_report.h"
@@ -79,7 +79,6 @@ WrittenCohort write_cohort(const Cohort& cohort, FinishedCohort<Dim> finished, c
   return saying_what_is_kept(folder, [&] { return write_files<Dim>(cohort, std::move(finished), folder, notes); });
 }
 
-template WrittenCohort write_cohort<2>(const Cohort&, FinishedCohort<2>, const std::string&, std::vector<std::string>&);
-template WrittenCohort write_cohort<3>(const Cohort&, FinishedCohort<3>, const std::string&, std::vector<std::string>&);
+SHELLMATCH_2D_3D(write_cohort);
 
 }  // namespace shellmatch

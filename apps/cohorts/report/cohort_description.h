@@ -3,7 +3,7 @@
 /// The description of a cohort for its page: all but the packed arrays.
 
 #include "apps/cohorts/cohort_result.h"
-#include "apps/cohorts/report/thumbnails.h"
+#include "apps/cohorts/report/shown_shapes.h"
 #include "matching/report/packed_arrays.h"
 #include "matching/report/page.h"
 

@@ -1,5 +1,6 @@
 #include "apps/cohorts/report/cohort_description.h"
 
+#include "base/instantiate.h"
 #include "base/options.h"
 #include "matching/report/json_page.h"
 
@@ -90,7 +91,6 @@ std::string cohort_json(const CohortResult<Dim>& result, const CohortFrame& fram
   return element_text(page);
 }
 
-template std::string cohort_json<2>(const CohortResult<2>&, const CohortFrame&, const std::vector<PackedArray>&);
-template std::string cohort_json<3>(const CohortResult<3>&, const CohortFrame&, const std::vector<PackedArray>&);
+SHELLMATCH_2D_3D(cohort_json);
 
 }  // namespace shellmatch

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "geometry/io/input_file.h"
-#include "geometry/io/part_name.h"
 #include "geometry/mesh_text/read_text.h"
 #include "geometry/volume/volume_name.h"
 #include "matching/experiment/generated_source.h"

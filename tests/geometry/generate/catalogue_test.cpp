@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/surface/self_intersections.h"
-#include "geometry/implicit/mesh_quality.h"
+#include "geometry/implicit/mesh_implicit.h"
 #include "geometry/generate/generate_shape.h"
 #include "tests/geometry/generate/generated_surface.h"
 

@@ -2,7 +2,6 @@
 #include "base/error.h"
 #include "geometry/generate/hand.h"
 #include "geometry/implicit/mesh_implicit.h"
-#include "geometry/implicit/mesh_quality.h"
 
 #include <gtest/gtest.h>
 

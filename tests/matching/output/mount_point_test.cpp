@@ -1,4 +1,4 @@
-#include "matching/output/mount_point.h"
+#include "matching/output/write_file.h"
 
 #include "tests/matching/output/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // The inverse of a map carries a surface that the deformed one does not quite reach.
-#include "matching/result/inverse_carrier.h"
+#include "matching/result/reference_map.h"
 
 #include "geometry/surface/subdivision.h"
 #include "matching/level/deformation.h"

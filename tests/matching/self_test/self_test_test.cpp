@@ -1,6 +1,5 @@
 // Each group of the self-test passes, and notices an error that is planted.
 
-#include "matching/self_test/known_cases.h"
 #include "matching/self_test/self_test.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "apps/cohorts/execution/mean_atlas.h"
+#include "apps/cohorts/execution/atlas.h"
 
 namespace shellmatch {
 namespace {

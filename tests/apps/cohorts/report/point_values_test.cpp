@@ -1,6 +1,6 @@
 // Values of known cohorts at the points.
 
-#include "apps/cohorts/report/point_values.h"
+#include "apps/cohorts/report/cohort_report.h"
 
 #include "apps/cohorts/report/shown_shapes.h"
 #include "tests/apps/cohorts/report/cohort_samples.h"

@@ -1,7 +1,5 @@
 // Small pictures: of whom, and that they show the shapes.
 
-#include "apps/cohorts/report/thumbnails.h"
-
 #include "apps/cohorts/report/shown_shapes.h"
 #include "apps/cohorts/report/worst_first.h"
 #include "tests/apps/cohorts/report/cohort_samples.h"
