@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -48,31 +47,10 @@ class ValueList {
     else volume_.values.push_back(kept);
   }
 
-  template <class T>
-  void add_all(std::string_view bytes) {
-    for (std::size_t at = 0; at + sizeof(T) <= bytes.size(); at += sizeof(T)) {
-      char one[sizeof(T)];
-      std::memcpy(one, bytes.data() + at, sizeof(T));
-      if (header_.is_big_endian) std::reverse(one, one + sizeof(T));
-      T value;
-      std::memcpy(&value, one, sizeof(T));
-      add(static_cast<double>(value));
-    }
-  }
-
   void add_bytes(std::string_view bytes) {
-    switch (header_.type) {
-      case VoxelType::uint8: return add_all<std::uint8_t>(bytes);
-      case VoxelType::int8: return add_all<std::int8_t>(bytes);
-      case VoxelType::uint16: return add_all<std::uint16_t>(bytes);
-      case VoxelType::int16: return add_all<std::int16_t>(bytes);
-      case VoxelType::uint32: return add_all<std::uint32_t>(bytes);
-      case VoxelType::int32: return add_all<std::int32_t>(bytes);
-      case VoxelType::uint64: return add_all<std::uint64_t>(bytes);
-      case VoxelType::int64: return add_all<std::int64_t>(bytes);
-      case VoxelType::float32: return add_all<float>(bytes);
-      case VoxelType::float64: return add_all<double>(bytes);
-    }
+    const ValueType type = value_type(header_.type);
+    for (const double number : values_of(bytes, type, bytes.size() / bytes_of(type), header_.is_big_endian))
+      add(number);
   }
 
   // Numbers as text, of which a piece may hold a part.

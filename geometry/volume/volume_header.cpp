@@ -11,6 +11,15 @@
 
 namespace shellmatch {
 
+namespace {
+
+// In the order of VoxelType.
+constexpr ValueType value_types[] = {ValueType::uint8,   ValueType::int8,   ValueType::uint16, ValueType::int16,
+                                     ValueType::uint32,  ValueType::int32,  ValueType::uint64, ValueType::int64,
+                                     ValueType::float32, ValueType::float64};
+
+}  // namespace
+
 VolumeHeader read_volume_header(const std::string& path) {
   const InputFile file(path);
   std::error_code error;
@@ -69,17 +78,11 @@ std::string file_of_values(const std::string& path, const std::string& name) {
   return file;
 }
 
-std::size_t bytes_of(VoxelType type) {
-  switch (type) {
-    case VoxelType::uint8:
-    case VoxelType::int8: return 1;
-    case VoxelType::uint16:
-    case VoxelType::int16: return 2;
-    case VoxelType::uint32:
-    case VoxelType::int32:
-    case VoxelType::float32: return 4;
-    default: return 8;
-  }
+ValueType value_type(VoxelType type) { return value_types[static_cast<std::size_t>(type)]; }
+
+std::optional<VoxelType> voxel_type(ValueType type) {
+  const auto at = std::ranges::find(value_types, type);
+  return at == std::end(value_types) ? std::nullopt : std::optional(static_cast<VoxelType>(at - value_types));
 }
 
 }  // namespace shellmatch

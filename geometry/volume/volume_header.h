@@ -5,6 +5,7 @@
 /// ITK's readers are not used: they take missing values for zeros (NIfTI, MetaImage), and on damaged input leak memory
 /// and print on the terminal. Tests compare ours with them.
 
+#include "geometry/bytes/value_type.h"
 #include "geometry/volume/volume.h"
 
 #include <cstdint>
@@ -60,6 +61,9 @@ void check_frame(const std::string& path, const VoxelGrid& grid);
 /// The header's word for the file of its values, as a path. \throws InputError unless that is one file
 std::string file_of_values(const std::string& path, const std::string& name);
 
-std::size_t bytes_of(VoxelType type);
+/// A voxel in a file: the type of its bytes, how many they are, and the other way round.
+ValueType value_type(VoxelType type);
+inline std::size_t bytes_of(VoxelType type) { return bytes_of(value_type(type)); }
+std::optional<VoxelType> voxel_type(ValueType type);
 
 }  // namespace shellmatch

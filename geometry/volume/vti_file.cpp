@@ -21,22 +21,6 @@ namespace {
 constexpr XmlExpectation image{"ImageData", "VTK file of images",
                                "a volume is of type ImageData (in ParaView: Resample To Image, save as .vti)"};
 
-VoxelType voxel_type(const std::string& path, ValueType type) {
-  switch (type) {
-    case ValueType::uint8: return VoxelType::uint8;
-    case ValueType::int8: return VoxelType::int8;
-    case ValueType::uint16: return VoxelType::uint16;
-    case ValueType::int16: return VoxelType::int16;
-    case ValueType::uint32: return VoxelType::uint32;
-    case ValueType::int32: return VoxelType::int32;
-    case ValueType::uint64: return VoxelType::uint64;
-    case ValueType::int64: return VoxelType::int64;
-    case ValueType::float32: return VoxelType::float32;
-    case ValueType::float64: return VoxelType::float64;
-    default: throw_input_error("{}: values of single bits are not supported; save them as numbers", path);
-  }
-}
-
 class VtiFile {
  public:
   VtiFile(const std::string& path, std::string_view bytes) : path_(path), file_(path, bytes, image) {
@@ -45,7 +29,9 @@ class VtiFile {
       throw_input_error("{}: an image in {} pieces, or of a part; save it as one whole", path_, file_.pieces().size());
     find_values();
     set_grid();
-    header_.type = voxel_type(path_, values_->type);
+    const std::optional<VoxelType> type = voxel_type(values_->type);
+    if (!type) throw_input_error("{}: values of single bits are not supported; save them as numbers", path_);
+    header_.type = *type;
     header_.file = path_;
   }
   const VolumeHeader& header() const { return header_; }

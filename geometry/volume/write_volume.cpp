@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -19,35 +18,6 @@
 namespace shellmatch {
 
 namespace {
-
-template <class T>
-void append_as(float value, std::string& bytes) {
-  T number;
-  if constexpr (std::is_integral_v<T>) {
-    // Values are at most 2^24 in size, which every wider type holds.
-    const double least = std::max(static_cast<double>(std::numeric_limits<T>::min()), -largest_label);
-    const double most = std::min(static_cast<double>(std::numeric_limits<T>::max()), largest_label);
-    number = static_cast<T>(std::clamp(std::round(static_cast<double>(value)), least, most));
-  } else {
-    number = static_cast<T>(value);
-  }
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
-void append(VoxelType type, float value, std::string& bytes) {
-  switch (type) {
-    case VoxelType::uint8: return append_as<std::uint8_t>(value, bytes);
-    case VoxelType::int8: return append_as<std::int8_t>(value, bytes);
-    case VoxelType::uint16: return append_as<std::uint16_t>(value, bytes);
-    case VoxelType::int16: return append_as<std::int16_t>(value, bytes);
-    case VoxelType::uint32: return append_as<std::uint32_t>(value, bytes);
-    case VoxelType::int32: return append_as<std::int32_t>(value, bytes);
-    case VoxelType::uint64: return append_as<std::uint64_t>(value, bytes);
-    case VoxelType::int64: return append_as<std::int64_t>(value, bytes);
-    case VoxelType::float32: return append_as<float>(value, bytes);
-    case VoxelType::float64: return append_as<double>(value, bytes);
-  }
-}
 
 template <class T>
 void put(std::string& header, std::size_t offset, T value) {
@@ -255,7 +225,10 @@ PendingFile volume_file(const std::string& path, const Volume& volume, Existing 
   SHELLMATCH_CHECK(volume.values.size() == volume.grid.n_voxels(), "every voxel has a value");
   std::string bytes;
   bytes.reserve(volume.values.size() * bytes_of(volume.type));
-  for (const float value : volume.values) append(volume.type, value, bytes);
+  // Whole numbers are at most 2^24 in size.
+  for (const float value : volume.values)
+    append_value(bytes, value_type(volume.type),
+                 is_integer(volume.type) ? std::clamp<double>(value, -largest_label, largest_label) : value);
   return pending(path, volume.grid, volume.type, false, std::move(bytes), existing);
 }
 
@@ -275,7 +248,7 @@ PendingFile vector_volume_file(const std::string& path, const VoxelGrid& grid, s
                                                       : 1);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const float value = factor * values[by_component ? 3 * (i % n) + i / n : i];
-    append_as<float>(is_in_ras && i % 3 < 2 ? -value : value, bytes);
+    append_value(bytes, ValueType::float32, is_in_ras && i % 3 < 2 ? -value : value);
   }
   return pending(path, grid, VoxelType::float32, true, std::move(bytes), existing);
 }
