@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -20,7 +21,9 @@ constexpr std::size_t n_anchors = 16, n_places = 500;
 constexpr std::size_t n_ways = 1000;  // that are followed
 constexpr std::size_t n_refined = 24;
 constexpr std::size_t n_queries = 600, n_searched = 5000;
-constexpr double same = 0.1;         // maps that differ by less, in roots of the whole's area, are one
+// What differs by less, in roots of the whole's area, is one; good maps from different schedules differ by more than
+// starts do.
+constexpr double same_start = 0.1, same_map = 0.15;
 constexpr double off_border = 0.03;  // anchors' least distance from a border, where there are such
 constexpr double apart = 0.05;       // least distance of an anchor from the others
 
@@ -136,7 +139,7 @@ std::vector<SampleImages> distinct(const std::vector<SampleImages>& all, const E
   for (const SampleImages& images : all) {
     const auto is_same = [&](const SampleImages& other) {
       return median_of(images.images.size(),
-                       [&](std::size_t a) { return on_whole(images.images[a], other.images[a]); }) < same;
+                       [&](std::size_t a) { return on_whole(images.images[a], other.images[a]); }) < same_start;
     };
     if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(images);
     if (kept.size() == n_refined) break;
@@ -152,7 +155,7 @@ std::vector<PartialMap> distinct(std::vector<PartialMap> maps, const PartialShap
     const auto is_same = [&](const PartialMap& other) {
       return median_of(map.images.size(), [&](std::size_t v) {
                return (whole.surface.vertices[map.images[v]] - whole.surface.vertices[other.images[v]]).norm();
-             }) < same;
+             }) < same_map;
     };
     if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(std::move(map));
   }
@@ -205,16 +208,19 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
   const std::vector<SampleImages> starts = distinct(consistent_images(samples, n_ways), samples.on_whole);
   const std::vector<Index> queries = farthest_point_samples(part.graph, anchors.vertices.front(), n_queries);
   const std::vector<Index> searched = farthest_point_samples(whole.graph, places.vertices.front(), n_searched);
-  // The last one begins with the surfaces as they lie.
-  std::vector<PartialMap> maps(starts.size() + 1);
+  // The last start is the surfaces as they lie.
+  constexpr std::size_t n_schedules = std::size(partial_schedules);
+  std::vector<PartialMap> maps(n_schedules * (starts.size() + 1));
   parallel_for(
       maps.size(),
-      [&](std::size_t i) {
+      [&](std::size_t k) {
+        const std::size_t i = k / n_schedules;
         std::vector<Index> images;
         for (const Index q : queries)
           images.push_back(i < starts.size() ? place_by_distances(anchors, places, starts[i].images, q)
                                              : nearest_vertex(whole.surface, part.surface.vertices[q]));
-        maps[i] = refine_partial_map(part, whole, queries, std::move(images), searched);
+        maps[k] =
+            refine_partial_map(part, whole, queries, std::move(images), searched, partial_schedules[k % n_schedules]);
       },
       1);
   for (const PartialMap& map : distinct(std::move(maps), whole)) {

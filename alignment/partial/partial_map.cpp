@@ -48,7 +48,7 @@ PartialShape make_partial_shape(Surface<3> surface, double unit, const Alignment
 namespace {
 
 constexpr int steps[] = {12, 16, 20, 25, 32, 40, 50, 64, 80, 100};  // functions of the whole
-constexpr int n_least_functions = 4;                                // of the part
+constexpr double n_least_functions = 4;                             // of the part
 // Where a function has mean square 1.
 constexpr float normal_weight = 2, spin_weight = 5;
 
@@ -68,12 +68,13 @@ Features features_of(const PartialShape& shape, const Eigen::MatrixXd& functions
   return features;
 }
 
-/// With the first k functions of the whole.
+/// With the first k functions of the whole, and `share` as in PartialSchedule.
 void embed(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
-           const std::vector<Index>& images, Eigen::Index k, PartialMap& map) {
+           const std::vector<Index>& images, Eigen::Index k, double share, PartialMap& map) {
   const Eigen::VectorXd& values = part.spectrum.values;
   const auto below = std::upper_bound(values.begin(), values.end(), whole.spectrum.values[k - 1]) - values.begin();
-  const Eigen::Index n_part = std::min<Eigen::Index>(std::max<Eigen::Index>(below, n_least_functions), values.size());
+  const Eigen::Index n_part = std::min(
+      static_cast<Eigen::Index>(std::max(share * static_cast<double>(below), n_least_functions)), values.size());
   const auto n = static_cast<Eigen::Index>(queries.size());
   Eigen::MatrixXd of_part(n, n_part), of_whole(n, k);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -118,15 +119,17 @@ void score(const PartialShape& part, const PartialShape& whole, Eigen::Index k, 
 }  // namespace
 
 PartialMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
-                              std::vector<Index> images, const std::vector<Index>& samples) {
+                              std::vector<Index> images, const std::vector<Index>& samples,
+                              const PartialSchedule& schedule) {
   PartialMap map;
   const auto n_functions = static_cast<int>(whole.spectrum.values.size());
   for (const int step : steps) {
-    embed(part, whole, queries, images, std::min(step, n_functions), map);
+    if (step < schedule.first) continue;
+    embed(part, whole, queries, images, std::min(step, n_functions), schedule.share, map);
     const std::vector<Index> nearest = nearest_features(columns(map.on_whole, samples), columns(map.on_part, queries));
     for (std::size_t i = 0; i < images.size(); ++i) images[i] = samples[nearest[i]];
   }
-  embed(part, whole, queries, images, n_functions, map);
+  embed(part, whole, queries, images, n_functions, schedule.share, map);
   map.images = nearest_features(map.on_whole, map.on_part);
   score(part, whole, n_functions, map);
   return map;

@@ -50,10 +50,21 @@ struct PartialMap {
   double order() const { return (functions + orientation) * spin; }
 };
 
+/// How a refinement goes.
+struct PartialSchedule {
+  int first;     ///< functions of the whole at first
+  double share;  ///< functions of the part over those up to the same eigenvalue
+};
+
+/// Few functions mend rough images, and lose good ones, so that both schedules are worth a try. Near cuts functions of
+/// the whole have derivatives across the border, which take more functions of the part.
+inline constexpr PartialSchedule partial_schedules[] = {{12, 1.5}, {32, 2}};
+
 /// Alternates nearest neighbours and functional maps with more and more functions, and normals and spin images beside
 /// them. \param queries vertices of the part, well spread, and \param images theirs on the whole \param samples
 /// vertices of the whole, well spread, that are searched until the last step
 PartialMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
-                              std::vector<Index> images, const std::vector<Index>& samples);
+                              std::vector<Index> images, const std::vector<Index>& samples,
+                              const PartialSchedule& schedule);
 
 }  // namespace shellmatch

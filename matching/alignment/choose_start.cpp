@@ -21,10 +21,8 @@ constexpr double clearly_more_alike = 1.1;
 // In roots of the area.
 constexpr double most_landmark_distance = 0.15;
 
-// Maps of animals and people that are better than all others by this factor were right.
+// Maps of animals and people, and of parts of such, that are better than all others by this factor were right.
 constexpr double clear_margin = 1.15;
-// Of parts the right map was second with margins up to 1.18.
-constexpr double clear_margin_of_parts = 1.3;
 
 template <int Dim>
 class Choosing {
@@ -34,7 +32,6 @@ class Choosing {
         landmarks_are_spread_(search.landmarks_are_spread),
         is_ambiguous_(search.is_ambiguous),
         is_of_part_(search.is_of_part),
-        clear_margin_(search.is_of_part ? clear_margin_of_parts : clear_margin),
         options_(options),
         try_(trials),
         trials_(starts_.size()),
@@ -54,7 +51,7 @@ class Choosing {
     if constexpr (Dim == 2)
       if (const std::vector<std::size_t> close = close_ones(); close.size() > 1) among(close, choice);
     if constexpr (Dim == 3)
-      if (options_.mode == AlignMode::automatic && margin < clear_margin_ && !is_ambiguous_ &&
+      if (options_.mode == AlignMode::automatic && margin < clear_margin && !is_ambiguous_ &&
           !landmarks_confirm(starts_[choice.index]))
         by_likeness(choice);
     if (is_ambiguous_) choice.margin = 1;
@@ -131,7 +128,7 @@ class Choosing {
     std::vector<std::size_t> close;
     for (const std::size_t i : usable_)
       if (i == choice.index ||
-          (starts_[i].order < clear_margin_ * first.order && starts_[i].is_mirrored == first.is_mirrored))
+          (starts_[i].order < clear_margin * first.order && starts_[i].is_mirrored == first.is_mirrored))
         close.push_back(i);
     if (close.size() == 1) return;
     if (!is_of_part_)
@@ -156,7 +153,7 @@ class Choosing {
            clearly_better * chosen.template_distance < none.template_distance || is_more_alike(chosen, none);
   }
 
-  bool bends() const { return Dim == 3 && !is_of_part_ && options_.bend != BendMode::never; }
+  bool bends() const { return Dim == 3 && options_.bend != BendMode::never; }
 
   const Trial& trial(std::size_t i) {
     if (!trials_[i]) trials_[i] = try_(starts_[i].alignment);
@@ -170,7 +167,6 @@ class Choosing {
 
   const std::vector<Start<Dim>>& starts_;
   const bool landmarks_are_spread_, is_ambiguous_, is_of_part_;
-  const double clear_margin_;
   const AlignOptions& options_;
   Trials<Dim>& try_;
   std::vector<std::optional<Trial>> trials_, bent_trials_;

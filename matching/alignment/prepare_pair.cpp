@@ -75,7 +75,7 @@ constexpr double many_missed = 0.005;
 bool bend_if_needed(const Trials<3>& trials, const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                     const ExperimentOptions& options, const DirectionTrial& reached, PreparedPair<3>& pair,
                     Observer& observer) {
-  if (options.align.bend == BendMode::never || pair.alignment.pairs.empty() || shapes.one_is_part()) return false;
+  if (options.align.bend == BendMode::never || pair.alignment.pairs.empty()) return false;
   if (!(reached.missed > many_missed)) return false;
   Alignment<3> bent = bent_start(pair.alignment, shapes.reference.surface, landmarks);
   const DirectionTrial trial = trials.of_direction(bent, Carried::reference);

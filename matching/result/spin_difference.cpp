@@ -82,7 +82,9 @@ std::optional<double> spin_difference<3>(const Surface<3>& reference, const Surf
   const std::vector<Vec<3>> normals = vertex_normals(deformed);
   const SpinImages images[] = {{from.x, from.normals, from.areas, image_radius},
                                {to.x, to.normals, to.areas, image_radius}};
-  std::vector<double> squares(std::min(n_compared, from.samples.size()), -1);  // -1: is left out
+  // Of a part, few points lie far from its borders.
+  const std::size_t n_looked_at = one_is_part ? from.samples.size() : std::min(n_compared, from.samples.size());
+  std::vector<double> squares(n_looked_at, -1);  // -1: is left out
   parallel_for(squares.size(), [&](std::size_t k) {
     const std::size_t i = k * from.samples.size() / squares.size();
     const SurfaceSample<3>& sample = from.samples[i];

@@ -88,7 +88,7 @@ bool is_vouched_for(const MatchSummary& summary) {
          *summary.spin_difference <= alike;
 }
 
-// What a part lacks cannot reach the other shape: worth a look unless the map is vouched for, and no failure.
+// What a part lacks does not reach the other shape: worth a look unless the map is vouched for, and no failure.
 Limits limits_beside(const ShapeSummary& shape, Limits limits, bool is_vouched) {
   constexpr double none = std::numeric_limits<double>::infinity();
   if (shape.may_be_part()) limits = {is_vouched ? none : limits.look, none};
@@ -107,15 +107,19 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
   }
   const bool is_vouched = is_vouched_for(summary);
   const AllLimits& limits = is_vouched ? of_vouched : usual;
+  // Of a whole the mean is over much that its part lacks; of two parts over what both have.
+  const auto mean_limits = [&](const ShapeSummary& other, const ShapeSummary& own) {
+    return own.may_be_part() ? limits.mean_distance : limits_beside(other, limits.mean_distance, is_vouched);
+  };
   const std::string whole =
       "are units and poses the same (shellmatch inspect), are both shapes whole and of one kind? Otherwise " +
       pose_advice(summary);
   reasons.add(
-      there.mean, limits.mean_distance,
+      there.mean, mean_limits(summary.template_shape, summary.reference),
       {fmt::format("the deformed reference lies {} from the template on average", length_text(there.mean, summary)),
        whole, "deformed", places.deformed});
   reasons.add(
-      back.mean, limits.mean_distance,
+      back.mean, mean_limits(summary.reference, summary.template_shape),
       {fmt::format("the template lies {} from the deformed reference on average", length_text(back.mean, summary)),
        whole, "template", places.template_shape});
   if (uncovered)

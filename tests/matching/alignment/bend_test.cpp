@@ -17,8 +17,12 @@ namespace {
 constexpr double tube_length = 6, tube_radius = 0.15;
 constexpr Index n_rings = 60, n_around = 16;
 
+enum class Hole { none, slit };
+
+bool in_slit(Index ring, Index around) { return ring >= 20 && ring < 40 && around < n_around / 2; }
+
 /// A tube whose middle line is part of a circle of this curvature, or straight.
-Shape<3> tube(double curvature) {
+Shape<3> tube(double curvature, Hole hole = Hole::none) {
   const auto middle = [&](double s) {
     return curvature > 0 ? Vec<3>(std::sin(curvature * s) / curvature, (1 - std::cos(curvature * s)) / curvature, 0)
                          : Vec<3>(s, 0, 0);
@@ -38,13 +42,14 @@ Shape<3> tube(double curvature) {
   const Index first = n_rings * n_around, last = first + 1;
   for (Index k = 0; k < n_around; ++k) {
     for (Index i = 0; i + 1 < n_rings; ++i) {
+      if (hole == Hole::slit && in_slit(i, k)) continue;
       shape.polygons.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
       shape.polygons.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
     }
     shape.polygons.push_back({first, at(0, k + 1), at(0, k)});
     shape.polygons.push_back({last, at(n_rings - 1, k), at(n_rings - 1, k + 1)});
   }
-  return make_shape(std::move(shape), "tube");
+  return make_shape(std::move(shape), "tube", {}, Closing::automatic);
 }
 
 /// As if a search had found these pairs.
@@ -104,6 +109,21 @@ TEST(Bend, EndsThatNearlyTouchMoveApart) {
   EXPECT_LT(bent.error, 0.01);
   EXPECT_GT(space.error, 1.5 * bent.error);
   EXPECT_EQ(bent.result.summary.levels.back().folds.n_folded_cells, 0);
+}
+
+TEST(Bend, AWholeIsBentOntoAPart) {
+  ShapePair<3> shapes{tube(1.04), tube(0, Hole::slit)};
+  ASSERT_TRUE(shapes.one_is_part());
+  AlignmentFindings<3> findings = found(shapes);
+  StartSearch<3>& search = findings.by_pairs.results[0];
+  search.is_of_part = true;
+  std::erase_if(search.starts[0].alignment.pairs, [](const Landmark<3>& pair) {
+    const auto v = static_cast<Index>(std::stoi(pair.name.substr(pair.name.find(' ') + 1))) - 1;
+    return in_slit(v / n_around, v % n_around);
+  });
+  Observer quiet;
+  const PreparedPair<3> prepared = prepare_pair(shapes, {}, profile_defaults(Profile::standard), quiet, findings);
+  EXPECT_TRUE(prepared.alignment.bend);
 }
 
 TEST(Bend, TheMapCarriesTheReferenceAsItWasRead) {

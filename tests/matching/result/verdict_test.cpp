@@ -109,6 +109,7 @@ TEST(Verdict, WhatAPartLacksIsNoReasonWhereTheMapIsVouchedFor) {
   MatchSummary s = vouched_summary();
   s.distance->uncovered = 0.6;
   s.distance->template_to_deformed.max = 0.5;
+  s.distance->template_to_deformed.mean = 0.05;
   EXPECT_EQ(judge(s, places).outcome, "not-matched");
   s.reference.invented = 0.1;
   EXPECT_EQ(judge(s, places).outcome, "matched");
@@ -243,9 +244,13 @@ TEST(Verdict, WhatAPartLacksIsToBeLookedAt) {
   EXPECT_EQ(outcome([&](MatchSummary& s) { unreached(s), s.reference.invented = 0.01; }), "not-matched");
   EXPECT_EQ(outcome([&](MatchSummary& s) { beyond(s), s.template_shape.invented = 0.2; }), "look-here");
   EXPECT_EQ(outcome([&](MatchSummary& s) { beyond(s), s.reference.invented = 0.2; }), "not-matched");
-  // Distances on average are of what both have.
-  EXPECT_EQ(outcome([&](MatchSummary& s) { s.distance->template_to_deformed.mean = 0.05, s.reference.invented = 0.2; }),
-            "not-matched");
+  const auto far_on_average = [](MatchSummary& s) { s.distance->template_to_deformed.mean = 0.05; };
+  EXPECT_EQ(outcome([&](MatchSummary& s) { far_on_average(s), s.reference.invented = 0.2; }), "look-here");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { far_on_average(s), s.template_shape.invented = 0.2; }), "not-matched");
+  // Of two parts distances on average are of what both have.
+  EXPECT_EQ(
+      outcome([&](MatchSummary& s) { far_on_average(s), s.reference.invented = 0.2, s.template_shape.invented = 0.2; }),
+      "not-matched");
 }
 
 TEST(Verdict, NothingInCommonIsNoMatch) {
