@@ -6,6 +6,7 @@ set(shellmatch_public_headers
   base/error.h
   base/options.h
   base/parallel.h
+  base/registers.h
   base/replace_file.h
   base/types.h
   energies/assembly/band_report.h

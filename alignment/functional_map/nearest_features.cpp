@@ -1,5 +1,7 @@
 #include "alignment/functional_map/nearest_features.h"
 
+#include "base/registers.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,29 +14,19 @@ namespace shellmatch {
 
 namespace {
 
-// As many as a register of the machine has: g++ 14 takes wider vectors apart one by one. Results do not depend on it.
-#if defined(__AVX512F__)
-constexpr Eigen::Index width = 16;
-#elif defined(__AVX__)
-constexpr Eigen::Index width = 8;
-#else
-constexpr Eigen::Index width = 4;
-#endif
-template <Eigen::Index n>
-struct Vector {
-  typedef float type __attribute__((vector_size(n * sizeof(float))));
-};
-using Lanes = Vector<width>::type;
+// As many as a register of the machine has. Results do not depend on it.
+constexpr Eigen::Index width = register_bytes / sizeof(float);
+using Lanes = Register<float, width>;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // A loop over the lanes would take them apart one by one.
 template <Eigen::Index n>
-float least_of_lanes(const typename Vector<n>::type& v) {
+float least_of_lanes(const Register<float, n>& v) {
   if constexpr (n <= 4) {
     return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
   } else {
-    typename Vector<n / 2>::type halves[2];
+    Register<float, n / 2> halves[2];
     std::memcpy(halves, &v, sizeof v);
     return least_of_lanes<n / 2>(halves[0] < halves[1] ? halves[0] : halves[1]);
   }
@@ -76,7 +68,7 @@ class AllTargets {
   }
 
  private:
-  typedef std::int32_t IndexLanes __attribute__((vector_size(width * sizeof(std::int32_t))));
+  using IndexLanes = Register<std::int32_t, width>;
   static constexpr Eigen::Index block = 8;  // queries at once
 
   void search_block(const std::vector<std::array<float, block>>& queries, std::span<Index> nearest) const {

@@ -27,7 +27,7 @@ void look_up(const GeometryField<Dim>& target, const Pack& weight,
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) {
       Pack& entry = dphi[i * Dim + j];
-      entry = weight > 0 ? entry : Pack{} + (i == j ? 1.0 : 0.0);
+      entry = autodiff::where_greater(weight, Pack{}, entry, Pack{} + (i == j ? 1.0 : 0.0));
     }
 }
 

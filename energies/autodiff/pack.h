@@ -3,8 +3,9 @@
 /// Eight doubles as one value: one AVX-512 register, two AVX2 registers, or the compiler's equivalent. Kernels process
 /// eight quadrature points at once.
 
-#include <Eigen/Core>
+#include "base/registers.h"
 
+#include <Eigen/Core>
 #include <cmath>
 
 namespace shellmatch::autodiff {
@@ -18,12 +19,25 @@ inline Pack widened(const KeptPack& x) { return __builtin_convertvector(x, Pack)
 inline Pack broadcast(Pack, double c) { return Pack{} + c; }
 inline double broadcast(double, double c) { return c; }
 
+/// Lane by lane `a` where x > y, else `b`; by registers (base/registers.h).
+inline Pack where_greater(const Pack& x, const Pack& y, const Pack& a, const Pack& b) {
+  constexpr std::size_t n_lanes = register_bytes / sizeof(double), n_parts = pack_size / n_lanes;
+  using Lanes = Register<double, n_lanes>;
+  const auto part = [](const Pack& from, std::size_t p) {
+    return load<Lanes>(reinterpret_cast<const char*>(&from) + p * sizeof(Lanes));
+  };
+  Pack result;
+  for (std::size_t p = 0; p < n_parts; ++p)
+    store(part(x, p) > part(y, p) ? part(a, p) : part(b, p), reinterpret_cast<char*>(&result) + p * sizeof(Lanes));
+  return result;
+}
+
 inline double max_of(double x, double y) { return x > y ? x : y; }
-inline Pack max_of(Pack x, Pack y) { return x > y ? x : y; }
+inline Pack max_of(const Pack& x, const Pack& y) { return where_greater(x, y, x, y); }
 
 /// `d` where x > y, else 0: the derivative of max_of(x, y) with respect to x.
 inline double where_greater(double x, double y, double d) { return x > y ? d : 0.0; }
-inline Pack where_greater(Pack x, Pack y, Pack d) { return x > y ? d : Pack{}; }
+inline Pack where_greater(const Pack& x, const Pack& y, const Pack& d) { return where_greater(x, y, d, Pack{}); }
 
 inline double root_of(double x) { return std::sqrt(x); }
 inline double exp_of(double x) { return std::exp(x); }

@@ -28,7 +28,7 @@ SquarePack<M> cholesky(const SquarePack<M>& h) {
     Pack d = h[j][j];
     for (int s = 0; s < j; ++s) d -= l[j][s] * l[j][s];
     const Pack root = autodiff::root_of(autodiff::max_of(d, floor));
-    const Pack inverse = d > floor ? 1.0 / root : Pack{};
+    const Pack inverse = autodiff::where_greater(d, floor, 1.0 / root);
     l[j][j] = d * inverse;
     for (int i = j + 1; i < M; ++i) {
       Pack v = h[i][j];
@@ -64,8 +64,8 @@ template <int Dim>
 void rotate(SmallMat<autodiff::Pack, Dim>& a, SmallMat<autodiff::Pack, Dim>& vectors, int p, int q) {
   using autodiff::Pack;
   const Pack off = a(p, q), gap = a(q, q) - a(p, p), twice = off + off;
-  const Pack length = gap > 0 ? gap : -gap;
-  const Pack t = (gap > 0 ? twice : -twice) /
+  const Pack length = autodiff::where_greater(gap, Pack{}, gap, -gap);
+  const Pack t = autodiff::where_greater(gap, Pack{}, twice, -twice) /
                  autodiff::max_of(length + autodiff::root_of(gap * gap + twice * twice), Pack{} + 1e-300);
   const Pack c = 1.0 / autodiff::root_of(1.0 + t * t), s = t * c;
   const auto turn = [&](Pack& x, Pack& y) {
@@ -98,10 +98,10 @@ PackEigenpairs<Dim> pack_eigenpairs(SmallMat<autodiff::Pack, Dim> a) {
       for (int q = p + 1; q < Dim; ++q) detail::rotate(a, pairs.vectors, p, q);
   for (int i = 0; i < Dim; ++i) pairs.values[i] = a(i, i);
   const auto sort = [&](int i, int j) {
-    const auto is_less = pairs.values[j] < pairs.values[i];
+    const Pack of_i = pairs.values[i], of_j = pairs.values[j];
     const auto swap = [&](Pack& x, Pack& y) {
-      const Pack first = is_less ? y : x;
-      y = is_less ? x : y;
+      const Pack first = autodiff::where_greater(of_i, of_j, y, x);
+      y = autodiff::where_greater(of_i, of_j, x, y);
       x = first;
     };
     swap(pairs.values[i], pairs.values[j]);

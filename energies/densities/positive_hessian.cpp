@@ -8,7 +8,7 @@ using autodiff::Pack;
 
 namespace {
 
-Pack size_of(Pack x) { return x > 0 ? x : -x; }
+Pack size_of(const Pack& x) { return autodiff::where_greater(x, Pack{}, x, -x); }
 
 /// Adds value q q^T to the upper triangle of h.
 template <int N>
@@ -41,7 +41,8 @@ Stretches<Dim> principal_stretches(const SmallMat<Pack, Dim>& a) {
     Pack square_length{};
     for (int k = 0; k < Dim; ++k) square_length += image(k, i) * image(k, i);
     s[i] = autodiff::root_of(square_length);
-    for (int k = 0; k < Dim; ++k) u(k, i) = s[i] > 1e-12 ? image(k, i) / s[i] : Pack{} + (k == i ? 1.0 : 0.0);
+    for (int k = 0; k < Dim; ++k)
+      u(k, i) = autodiff::where_greater(s[i], Pack{} + 1e-12, image(k, i) / s[i], Pack{} + (k == i ? 1.0 : 0.0));
   }
   if constexpr (Dim == 3) {
     for (int k = 0; k < 3; ++k) {
@@ -75,9 +76,11 @@ SquarePack<Dim * Dim> projected_hessian(const Stretches<Dim>& a, const autodiff:
         flip[k] = root_half * (outer[i][j][k] + outer[j][i][k]);
       }
       const Pack sum = a.s[i] + a.s[j], gap = a.s[i] - a.s[j];
-      add_mode<n>(twist, size_of(sum) > 1e-9 ? (psi.g[i] + psi.g[j]) / sum : Pack{}, h);
-      add_mode<n>(
-          flip, size_of(gap) > 1e-4 ? (psi.g[i] - psi.g[j]) / gap : 0.5 * (psi.h(i, i) + psi.h(j, j)) - psi.h(i, j), h);
+      add_mode<n>(twist, autodiff::where_greater(size_of(sum), Pack{} + 1e-9, (psi.g[i] + psi.g[j]) / sum), h);
+      add_mode<n>(flip,
+                  autodiff::where_greater(size_of(gap), Pack{} + 1e-4, (psi.g[i] - psi.g[j]) / gap,
+                                          0.5 * (psi.h(i, i) + psi.h(j, j)) - psi.h(i, j)),
+                  h);
     }
   SmallMat<Pack, Dim> second;
   for (int i = 0; i < Dim; ++i)

@@ -21,7 +21,7 @@ TangentBasis<Dim> tangent_basis(const std::array<autodiff::Pack, Dim>& n) {
     return {{{n[1], -n[0]}}};
   } else {
     const Pack one = Pack{} + 1.0;
-    const Pack sign = n[2] >= 0 ? one : -one;
+    const Pack sign = autodiff::where_greater(Pack{}, n[2], -one, one);
     const Pack a = -1.0 / (sign + n[2]);
     const Pack b = n[0] * n[1] * a;
     return {{{1.0 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]}, {b, sign + n[1] * n[1] * a, -n[1]}}};

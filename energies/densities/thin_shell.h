@@ -86,8 +86,10 @@ SquarePack<(Dim - 1) * (Dim - 1)> thin_shell_tangent_hessian(const std::array<au
     const Pack np = autodiff::max_of(autodiff::root_of(p[0] * p[0] + p[1] * p[1]), tiny);
     const Pack nq = autodiff::max_of(autodiff::root_of(q[0] * q[0] + q[1] * q[1]), tiny);
     // Directions; where a part vanishes any will do.
-    const Pack up0 = np > tiny ? p[0] / np : Pack{} + 1.0, up1 = np > tiny ? p[1] / np : Pack{};
-    const Pack uq0 = nq > tiny ? q[0] / nq : Pack{} + 1.0, uq1 = nq > tiny ? q[1] / nq : Pack{};
+    const Pack up0 = autodiff::where_greater(np, tiny, p[0] / np, Pack{} + 1.0),
+               up1 = autodiff::where_greater(np, tiny, p[1] / np);
+    const Pack uq0 = autodiff::where_greater(nq, tiny, q[0] / nq, Pack{} + 1.0),
+               uq1 = autodiff::where_greater(nq, tiny, q[1] / nq);
     Pack a = c.mu + f1 + f2 * np * np, b = c.mu - f1 + f2 * nq * nq, m = -f2 * np * nq;
     clamp_symmetric(a, b, m);
     // On p and on q perpendicular to their directions.

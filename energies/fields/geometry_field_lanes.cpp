@@ -19,8 +19,8 @@ typename GeometryField<Dim>::LocatedPoints GeometryField<Dim>::find(const std::a
   for (int k = 0; k < Dim; ++k) {
     // The order of the comparisons maps NaN, as in lanes of weight 0, to 0.
     Pack& inside = located.inside[k];
-    inside = y[k] > 0.0 ? y[k] : Pack{};
-    inside = inside < 1.0 ? inside : Pack{} + 1.0;
+    inside = autodiff::where_greater(y[k], Pack{}, y[k]);
+    inside = autodiff::where_greater(Pack{} + 1.0, inside, inside, Pack{} + 1.0);
     positions[k] = std::bit_cast<std::array<double, pack_size>>(inside);
   }
   if (!is_smooth()) return located;

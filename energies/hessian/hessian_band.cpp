@@ -27,7 +27,8 @@ std::array<Pack, Dim> unit_normal(const Pack* n) {
   for (int k = 0; k < Dim; ++k) square += n[k] * n[k];
   const Pack length = autodiff::root_of(square);
   std::array<Pack, Dim> unit;
-  for (int k = 0; k < Dim; ++k) unit[k] = length > 1e-9 ? n[k] / length : Pack{} + (k == 0 ? 1.0 : 0.0);
+  for (int k = 0; k < Dim; ++k)
+    unit[k] = autodiff::where_greater(length, Pack{} + 1e-9, n[k] / length, Pack{} + (k == 0 ? 1.0 : 0.0));
   return unit;
 }
 
@@ -166,7 +167,8 @@ void EnergyHessian<Dim>::add_band_terms(const Chunk& cells, std::span<const Vec<
       }
       // Lanes without weight may hold anything: an infinity would outlive the multiplication by zero.
       for (int i = 0; i < Variables::n; ++i)
-        for (int j = 0; j <= i; ++j) h[i][j] = point.weight > 0 ? h[i][j] : Pack{} + (i == j ? 1.0 : 0.0);
+        for (int j = 0; j <= i; ++j)
+          h[i][j] = autodiff::where_greater(point.weight, Pack{}, h[i][j], Pack{} + (i == j ? 1.0 : 0.0));
       modes.set(n_set++, at, h, points[q], batch.inverse_side);
       if (n_set == 2) {
         modes.add_squares_to(k);

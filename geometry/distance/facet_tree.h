@@ -3,13 +3,13 @@
 /// A bounding volume hierarchy over the facets of a surface, for nearest facet queries.
 ///
 /// The hierarchy is wide: a node has eight children, a leaf eight facets, and vector instructions compute the
-/// distances to all eight at once. It is balanced, its leaves are full, and it is stored in two flat arrays.
+/// distances to as many at once as a register holds. It is balanced, its leaves are full, and it is stored in two flat
+/// arrays.
 
 #include "base/types.h"
 #include "geometry/surface/surface.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -37,22 +37,19 @@ class FacetTree {
 
  private:
   static constexpr int width = 8;
-  // A vector type of the compiler: one, two or four registers, depending on the machine.
-  typedef double Lanes __attribute__((vector_size(width * sizeof(double))));
-  typedef std::int64_t IndexLanes __attribute__((vector_size(width * sizeof(std::int64_t))));
-  typedef float FloatLanes __attribute__((vector_size(width * sizeof(float))));
+  using Eight = std::array<double, width>;
 
   /// The data of eight facets for the distance; unused entries repeat the first facet.
-  struct Leaf {
-    Lanes corner[Dim];                        ///< coordinates of the first corner
-    Lanes edge[Dim - 1][Dim];                 ///< vectors from it to the others
-    Lanes inverse_length2[Dim == 2 ? 1 : 3];  ///< of the edges; 0 for an edge without length
-    Lanes inverse_normal2;  ///< in space, of the cross product of the edges; 0 for a facet without area
+  struct alignas(64) Leaf {
+    Eight corner[Dim];                        ///< coordinates of the first corner
+    Eight edge[Dim - 1][Dim];                 ///< vectors from it to the others
+    Eight inverse_length2[Dim == 2 ? 1 : 3];  ///< of the edges; 0 for an edge without length
+    Eight inverse_normal2;  ///< in space, of the cross product of the edges; 0 for a facet without area
     std::array<Index, width> facet;
   };
   /// Boxes in single precision, rounded outward by more than the error of the distances.
-  struct Node {
-    FloatLanes min[Dim], max[Dim];
+  struct alignas(32) Node {
+    std::array<float, width> min[Dim], max[Dim];
     std::array<Index, width> child;  ///< index of a node, or ~index of a leaf; unused: box at infinity
   };
   struct Builder;

@@ -1,15 +1,23 @@
+#include "base/registers.h"
 #include "geometry/distance/facet_tree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace shellmatch {
 
 namespace {
 
+// Of the eight facets or points at once.
+constexpr int n_lanes = register_bytes / sizeof(double), n_parts = 8 / n_lanes;
+using Lanes = Register<double, n_lanes>;
+using IndexLanes = Register<std::int64_t, n_lanes>;
+using FloatLanes = Register<float, n_lanes>;
+
 /// Squares of the distances from v to the segments from 0 to e, which may be one or one for each lane.
-template <class Lanes, class Edge, int Dim>
+template <class Edge, int Dim>
 Lanes to_segment(const Lanes (&v)[Dim], const Edge (&e)[Dim], const Edge& inverse_length2) {
   const Lanes zero{}, one = zero + 1;
   Lanes along = v[0] * e[0];
@@ -25,10 +33,10 @@ Lanes to_segment(const Lanes (&v)[Dim], const Edge (&e)[Dim], const Edge& invers
   return distance2;
 }
 
-/// Squares of the distances between facets and points: eight facets (Number is Lanes) and one point, or one facet
-/// (double) and eight points. The case distinctions of closest_point_on_facet(), made by selection. \param w from the
+/// Squares of the distances between facets and points: several facets (Number is Lanes) and one point, or one facet
+/// (double) and several points. The case distinctions of closest_point_on_facet(), made by selection. \param w from the
 /// first corner to the point
-template <class Lanes, class Number, int Dim>
+template <class Number, int Dim>
 Lanes to_facet(const Lanes (&w)[Dim], const Number (&edge)[Dim - 1][Dim], const Number* inverse_length2,
                const Number& inverse_normal2) {
   Lanes result = to_segment(w, edge[0], inverse_length2[0]);
@@ -63,6 +71,13 @@ Lanes to_facet(const Lanes (&w)[Dim], const Number (&edge)[Dim - 1][Dim], const 
   return result;
 }
 
+/// Squares of the distances of a box from some points, or of some boxes from a point, along one axis.
+Lanes to_box(const Lanes& before, const Lanes& after) {
+  Lanes gap = before > after ? before : after;
+  gap = gap > 0 ? gap : Lanes{};
+  return gap * gap;
+}
+
 }  // namespace
 
 /// Subtrees still to be visited, the nearest of those added last on top.
@@ -81,13 +96,13 @@ class FacetTree<Dim>::Stack {
   /// Adds the children of a node whose boxes are not farther from x than sqrt(most2).
   void add_children(Index index, const Vec<Dim>& x, double most2) {
     const Node& node = nodes_[index];
-    Lanes distances{};
-    for (int k = 0; k < Dim; ++k) {
-      const Lanes before = __builtin_convertvector(node.min[k], Lanes) - x[k];
-      const Lanes after = x[k] - __builtin_convertvector(node.max[k], Lanes);
-      Lanes gap = before > after ? before : after;
-      gap = gap > 0 ? gap : Lanes{};
-      distances += gap * gap;
+    double distances[width];
+    for (int i = 0; i < width; i += n_lanes) {
+      Lanes sum{};
+      for (int k = 0; k < Dim; ++k)
+        sum += to_box(__builtin_convertvector(load<FloatLanes>(&node.min[k][i]), Lanes) - x[k],
+                      x[k] - __builtin_convertvector(load<FloatLanes>(&node.max[k][i]), Lanes));
+      store(sum, &distances[i]);
     }
     const int first = n_;
     for (int i = 0; i < width; ++i) {
@@ -130,9 +145,16 @@ bool FacetTree<Dim>::reaches(const Vec<Dim>& x, double distance) const {
 template <int Dim>
 Index FacetTree<Dim>::search(const Vec<Dim>& x, double best, Index facet, bool any_suffices) const {
   const auto visit = [&](const Leaf& leaf) {
-    Lanes w[Dim];
-    for (int k = 0; k < Dim; ++k) w[k] = x[k] - leaf.corner[k];
-    const Lanes distances = to_facet(w, leaf.edge, leaf.inverse_length2, leaf.inverse_normal2);
+    double distances[width];
+    for (int i = 0; i < width; i += n_lanes) {
+      Lanes w[Dim], edge[Dim - 1][Dim], inverse_length2[Dim == 2 ? 1 : 3];
+      for (int k = 0; k < Dim; ++k) {
+        w[k] = x[k] - load<Lanes>(&leaf.corner[k][i]);
+        for (int e = 0; e < Dim - 1; ++e) edge[e][k] = load<Lanes>(&leaf.edge[e][k][i]);
+      }
+      for (int e = 0; e < (Dim == 2 ? 1 : 3); ++e) inverse_length2[e] = load<Lanes>(&leaf.inverse_length2[e][i]);
+      store(to_facet(w, edge, inverse_length2, load<Lanes>(&leaf.inverse_normal2[i])), &distances[i]);
+    }
     for (int i = 0; i < width; ++i)
       if (distances[i] < best || (distances[i] == best && leaf.facet[i] < facet)) {
         best = distances[i];
@@ -155,12 +177,12 @@ Index FacetTree<Dim>::search(const Vec<Dim>& x, double best, Index facet, bool a
 // its centre. Where they are many, the points lie too far apart to be treated together.
 template <int Dim>
 void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* facets) const {
-  Lanes x[Dim];
+  Lanes x[n_parts][Dim];
   Box<Dim> box;
   for (std::size_t i = 0; i < width; ++i) {
     const Vec<Dim>& point = points[std::min(i, points.size() - 1)];
     box.add(point);
-    for (int k = 0; k < Dim; ++k) x[k][i] = point[k];
+    for (int k = 0; k < Dim; ++k) x[i / n_lanes][k][i % n_lanes] = point[k];
   }
   const Vec<Dim> centre = 0.5 * (box.min + box.max);
   double radius = 0;
@@ -171,41 +193,45 @@ void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* f
   }
   constexpr int most_leaves = 24;
   constexpr double limit = std::numeric_limits<double>::max();
-  Lanes best = Lanes{} + limit;
-  IndexLanes nearest = IndexLanes{} + no_index;
+  Lanes best[n_parts];
+  IndexLanes nearest[n_parts];
+  for (int p = 0; p < n_parts; ++p) {
+    best[p] = Lanes{} + limit;
+    nearest[p] = IndexLanes{} + no_index;
+  }
   double most2 = limit;
   const auto visit = [&](const Leaf& leaf) {
     for (int f = 0; f < width; ++f) {
       double edge[Dim - 1][Dim], inverse_length2[Dim == 2 ? 1 : 3];
-      Lanes w[Dim];
-      for (int k = 0; k < Dim; ++k) {
-        w[k] = x[k] - leaf.corner[k][f];
+      for (int k = 0; k < Dim; ++k)
         for (int e = 0; e < Dim - 1; ++e) edge[e][k] = leaf.edge[e][k][f];
-      }
       for (int e = 0; e < (Dim == 2 ? 1 : 3); ++e) inverse_length2[e] = leaf.inverse_length2[e][f];
-      const Lanes distances = to_facet<Lanes, double, Dim>(w, edge, inverse_length2, leaf.inverse_normal2[f]);
       const IndexLanes facet = IndexLanes{} + leaf.facet[f];
-      const auto is_nearer = (distances < best) | ((distances == best) & (facet < nearest));
-      best = is_nearer ? distances : best;
-      nearest = is_nearer ? facet : nearest;
+      for (int p = 0; p < n_parts; ++p) {
+        Lanes w[Dim];
+        for (int k = 0; k < Dim; ++k) w[k] = x[p][k] - leaf.corner[k][f];
+        const Lanes distances = to_facet<double, Dim>(w, edge, inverse_length2, leaf.inverse_normal2[f]);
+        const auto is_nearer = (distances < best[p]) | ((distances == best[p]) & (facet < nearest[p]));
+        best[p] = is_nearer ? distances : best[p];
+        nearest[p] = is_nearer ? facet : nearest[p];
+      }
     }
-    double farthest = best[0];
-    for (int i = 1; i < width; ++i) farthest = std::max(farthest, best[i]);
+    double farthest = best[0][0];
+    for (int i = 1; i < width; ++i) farthest = std::max(farthest, best[i / n_lanes][i % n_lanes]);
     const double reach = std::sqrt(farthest) + radius;
     most2 = reach * reach;
   };
   const auto may_be_nearer = [&](const Node& node, int place) {
-    Lanes distances{};
-    for (int k = 0; k < Dim; ++k) {
-      const Lanes before = static_cast<double>(node.min[k][place]) - x[k],
-                  after = x[k] - static_cast<double>(node.max[k][place]);
-      Lanes gap = before > after ? before : after;
-      gap = gap > 0 ? gap : Lanes{};
-      distances += gap * gap;
+    IndexLanes nearer{};
+    for (int p = 0; p < n_parts; ++p) {
+      Lanes sum{};
+      for (int k = 0; k < Dim; ++k)
+        sum += to_box(static_cast<double>(node.min[k][place]) - x[p][k],
+                      x[p][k] - static_cast<double>(node.max[k][place]));
+      nearer |= sum <= best[p];
     }
-    const IndexLanes nearer = distances <= best;
     std::int64_t any = 0;
-    for (int i = 0; i < width; ++i) any |= nearer[i];
+    for (int i = 0; i < n_lanes; ++i) any |= nearer[i];
     return any != 0;
   };
   int n_leaves = 0;
@@ -221,8 +247,8 @@ void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* f
   }
   const bool is_complete = stack.is_empty();
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto facet = static_cast<Index>(nearest[i]);
-    facets[i] = is_complete ? facet : nearer(points[i], best[i], facet);
+    const auto facet = static_cast<Index>(nearest[i / n_lanes][i % n_lanes]);
+    facets[i] = is_complete ? facet : nearer(points[i], best[i / n_lanes][i % n_lanes], facet);
   }
 }
 

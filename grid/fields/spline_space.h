@@ -2,6 +2,7 @@
 /// \file
 /// Quadratic splines on the octree: C1 everywhere, also where the level changes.
 
+#include "base/registers.h"
 #include "grid/octree/cell_locator.h"
 #include "grid/octree/octree.h"
 
@@ -81,7 +82,7 @@ class SplineSpace {
  private:
   static constexpr int n_siblings = n_corners<Dim>;
   static constexpr int n_registers = Dim - 1;  ///< of 16 indices, for the coefficients of a leaf
-  typedef Index Numbers __attribute__((vector_size(64)));
+  using Numbers = Register<Index, 16>;
   /// The children of one cell, whose coefficients have consecutive indices. All their neighbours belong to
   /// the 3^Dim groups of siblings around them, so one record serves all siblings; it is smaller than one per
   /// cell and is more often in the caches.
@@ -186,23 +187,22 @@ inline typename SplineSpace<Dim>::Coord SplineSpace<Dim>::corner_of(Index leaf) 
 template <int Dim>
 inline typename SplineSpace<Dim>::Local SplineSpace<Dim>::coefficients_of(Index leaf) const {
   static constexpr auto table = steps_in_registers();
-  // The neighbours lie in at most eight groups; the shuffle that distributes these depends on the sibling
-  // alone.
+  // The neighbours lie in at most eight groups; which of them depends on the sibling alone.
   const Siblings& s = siblings_of(leaf);
   const auto& [group, child] = table[leaf % n_siblings];
-  static_assert(sizeof(Siblings) == sizeof(Local));
   Local local;
+  if constexpr (register_bytes < sizeof(Numbers)) {
+    for (int n = 0; n < n_local; ++n) local.c[n] = s.first[group[n]] + child[n];
+    return local;
+  }
+  static_assert(sizeof(Siblings) == sizeof(Local));
   Numbers first[n_registers];
   std::memcpy(first, &s, sizeof first);
   for (int r = 0; r < n_registers; ++r) {
-    Numbers at;
-    std::memcpy(&at, group.data() + 16 * r, sizeof at);
+    const auto at = load<Numbers>(group.data() + 16 * r), add = load<Numbers>(child.data() + 16 * r);
     const Numbers found =
         n_registers == 1 ? __builtin_shuffle(first[0], at) : __builtin_shuffle(first[0], first[n_registers - 1], at);
-    Numbers add;
-    std::memcpy(&add, child.data() + 16 * r, sizeof add);
-    const Numbers sum = found + add;
-    std::memcpy(local.c.data() + 16 * r, &sum, sizeof sum);
+    store(found + add, local.c.data() + 16 * r);
   }
   return local;
 }

@@ -2,11 +2,11 @@
 /// \file
 /// Point location in an octree, without the nodes and levels of its cells.
 
+#include "base/registers.h"
 #include "base/types.h"
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -80,27 +80,32 @@ inline Index CellLocator<Dim>::locate(const Vec<Dim>& x) const {
 
 template <int Dim>
 inline void CellLocator<Dim>::locate(const std::array<Eight<double>, Dim>& x, Eight<Index>& leaf) const {
-  typedef double Doubles __attribute__((vector_size(sizeof(Eight<double>))));
-  typedef std::int32_t Ints __attribute__((vector_size(sizeof(Eight<std::int32_t>))));
-  std::array<Ints, Dim> u;
-  Ints entry{};
-  for (int k = Dim - 1; k >= 0; --k) {
-    Doubles t;
-    std::memcpy(&t, &x[k], sizeof t);
-    project(t);
-    u[k] = __builtin_convertvector(t, Ints);
-    entry = (entry << table_level_) | (u[k] >> (max_level - table_level_));
+  constexpr std::size_t n_lanes = register_bytes / sizeof(double), n_parts = 8 / n_lanes;
+  using Doubles = Register<double, n_lanes>;
+  using Ints = Register<std::int32_t, n_lanes>;
+  std::array<std::array<Ints, n_parts>, Dim> u;
+  Eight<Index> cell;
+  for (std::size_t p = 0; p < n_parts; ++p) {
+    Ints entry{};
+    for (int k = Dim - 1; k >= 0; --k) {
+      auto t = load<Doubles>(&x[k][p * n_lanes]);
+      project(t);
+      u[k][p] = __builtin_convertvector(t, Ints);
+      entry = (entry << table_level_) | (u[k][p] >> (max_level - table_level_));
+    }
+    for (std::size_t i = 0; i < n_lanes; ++i) cell[p * n_lanes + i] = table_[static_cast<std::uint32_t>(entry[i])];
   }
-  Ints cell;
-  for (std::size_t i = 0; i < leaf.size(); ++i) cell[i] = table_[static_cast<std::uint32_t>(entry[i])];
   for (int shift = max_level - table_level_ - 1; shift >= max_level - finest_level_; --shift) {
-    Ints child;
-    for (std::size_t i = 0; i < leaf.size(); ++i) child[i] = first_child_[static_cast<std::uint32_t>(cell[i])];
-    const Ints is_leaf = child < 0;
-    for (int k = 0; k < Dim; ++k) child += ((u[k] >> shift) & 1) << k;
-    cell = is_leaf ? cell : child;
+    Eight<Index> first;
+    for (std::size_t i = 0; i < first.size(); ++i) first[i] = first_child_[static_cast<std::uint32_t>(cell[i])];
+    for (std::size_t p = 0; p < n_parts; ++p) {
+      auto child = load<Ints>(&first[p * n_lanes]);
+      const Ints is_leaf = child < 0;
+      for (int k = 0; k < Dim; ++k) child += ((u[k][p] >> shift) & 1) << k;
+      store(is_leaf ? load<Ints>(&cell[p * n_lanes]) : child, &cell[p * n_lanes]);
+    }
   }
-  std::memcpy(&leaf, &cell, sizeof leaf);
+  leaf = cell;
 }
 
 extern template class CellLocator<2>;
