@@ -95,6 +95,8 @@ std::string vector_code() {
   const std::string units = "AVX";
 #elif defined(__SSE2__)
   const std::string units = "SSE2";
+#elif defined(__ARM_NEON)
+  const std::string units = "NEON";
 #else
   const std::string units = "of the compiler's default";
 #endif
