@@ -46,7 +46,7 @@ class Package(ScriptTest):
             self.assertEqual((read.returncode, read.stderr), (0, ""), script)
 
     def test_help_and_unknown_arguments(self):
-        for name, option in (("package", "--check"), ("debootstrap-check", "--keep")):
+        for name, option in (("package", "--check"), ("debootstrap-check", "--keep"), ("arm-check", "--root")):
             self.assertIn(option, self.run_script(name, "--help").stdout)
             self.assert_refused(self.run_script(name, "--nothing"), name, 3, ["'--nothing'", f"{name} --help"])
             self.assert_refused(self.run_script(name, "--root"), name, 3, ["--root", "folder"])
