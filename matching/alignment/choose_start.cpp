@@ -51,7 +51,7 @@ class Choosing {
     if constexpr (Dim == 2)
       if (const std::vector<std::size_t> close = close_ones(); close.size() > 1) among(close, choice);
     if constexpr (Dim == 3)
-      if (options_.mode == AlignMode::automatic && margin < clear_margin && !is_ambiguous_ &&
+      if (options_.mode == AlignMode::automatic && margin < clear_margin && !is_ambiguous_ && !is_of_part_ &&
           !landmarks_confirm(starts_[choice.index]))
         by_likeness(choice);
     if (is_ambiguous_) choice.margin = 1;
@@ -122,7 +122,8 @@ class Choosing {
   }
 
   // Where descriptors on the surfaces leave it open, it counts as well how nearly isometric a map is, and then the
-  // likeness of what corresponds after a trial decides.
+  // likeness of what corresponds after a trial decides. Parts look alike wherever they are bent to, so that their maps
+  // are not tried.
   void by_likeness(StartChoice& choice) {
     const Start<Dim>& first = starts_[choice.index];
     std::vector<std::size_t> close;
@@ -131,8 +132,7 @@ class Choosing {
           (starts_[i].order < clear_margin * first.order && starts_[i].is_mirrored == first.is_mirrored))
         close.push_back(i);
     if (close.size() == 1) return;
-    if (!is_of_part_)
-      choice.index = *std::ranges::min_element(close, {}, [&](auto i) { return starts_[i].order * starts_[i].score; });
+    choice.index = *std::ranges::min_element(close, {}, [&](auto i) { return starts_[i].order * starts_[i].score; });
     std::erase(close, choice.index);
     choice.n_tried = 1 + close.size();
     Activity trying(trials_activity, choice.n_tried);
