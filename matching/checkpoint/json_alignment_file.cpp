@@ -61,74 +61,16 @@ static void unpack(const std::vector<double>& numbers, std::vector<Landmark<Dim>
                      Eigen::Map<const Vec<Dim>>(&numbers[at + Dim]), numbers[at + 2 * Dim]});
 }
 
-template <class S, class T>
-concept Is = std::is_same_v<std::remove_const_t<S>, T>;
-template <class S, template <int> class T>
-concept IsOfDim = Is<S, T<2>> || Is<S, T<3>>;
-
-template <class S, class Member>
-requires IsOfDim<S, Start>
-static void describe(S& s, Member&& member) {
-  member("pose", s.alignment.pose);
-  member("pairs", s.alignment.pairs);
-  member("spread", s.alignment.spread);
-  member("landmark_trust", s.alignment.landmark_trust);
-  member("found", s.n_pairs);
-  member("contradicting", s.n_contradicting);
-  member("score", s.score);
-  member("order", s.order);
-  member("landmark_distance", s.landmark_distance);
-  member("identity", s.is_identity);
-  member("mirrored", s.is_mirrored);
-}
-
-template <class S, class Member>
-requires IsOfDim<S, StartSearch>
-static void describe(S& s, Member&& member) {
-  member("starts", s.starts);
-  member("margin", s.margin);
-  member("share", s.searched_share);
-  member("landmarks", s.n_landmarks);
-  member("landmarks_are_spread", s.landmarks_are_spread);
-  member("notes", s.notes);
-  member("part", s.is_of_part);
-  member("ambiguous", s.is_ambiguous);
-}
-
-template <Is<Trial> S, class Member>
-static void describe(S& s, Member&& member) {
-  member("energy", s.energy);
-  member("with_pairs", s.with_pairs);
-  member("template_distance", s.template_distance);
-  member("spin_difference", s.spin_difference);
-}
-
-template <Is<DirectionTrial> S, class Member>
-static void describe(S& s, Member&& member) {
-  member("distance", s.distance);
-  member("energy", s.energy);
-  member("missed", s.missed);
-}
-
-template <class S, class Member>
-requires requires(S& s) {
-  s.results;
-  s.seconds;
-}
-static void describe(S& s, Member&& member) {
-  member("results", s.results);
-  member("seconds", s.seconds);
-}
-
-template <class S, class Member>
-requires IsOfDim<S, AlignmentFindings>
-static void describe(S& s, Member&& member) {
-  member("by_pairs", s.by_pairs);
-  member("by_poses", s.by_poses);
-  member("fits_mirrored", s.fits_mirrored);
-  member("starts", s.trials.starts);
-  member("directions", s.trials.directions);
-}
+SHELLMATCH_JSON_2D_3D(Start, (alignment.pose, pose), (alignment.pairs, pairs), (alignment.spread, spread),
+                      (alignment.landmark_trust, landmark_trust), (n_pairs, found), (n_contradicting, contradicting),
+                      score, order, landmark_distance, (is_identity, identity), (is_mirrored, mirrored))
+SHELLMATCH_JSON_2D_3D(StartSearch, starts, margin, (searched_share, share), (n_landmarks, landmarks),
+                      landmarks_are_spread, notes, (is_of_part, part), (is_ambiguous, ambiguous))
+SHELLMATCH_JSON(Trial, energy, with_pairs, template_distance, spin_difference)
+SHELLMATCH_JSON(DirectionTrial, distance, energy, missed)
+SHELLMATCH_JSON_IF((requires(S & s) { s.results, s.seconds; }), results, seconds)
+SHELLMATCH_JSON_2D_3D(AlignmentFindings, by_pairs, by_poses, fits_mirrored, (trials.starts, starts),
+                      (trials.directions, directions))
 
 template <int Dim>
 void write_alignment(const AlignmentFindings<Dim>& findings, const std::string& path) {

@@ -1,32 +1,23 @@
 #include "matching/derivative_check/gradient_report.h"
-#include "matching/json/json_text.h"
+#include "matching/json/json_members.h"
 
 namespace shellmatch {
 
+SHELLMATCH_JSON(DirectionCheck, resolved, steps, remainders, orders, slope, (curvature, second_derivative),
+                (model_curvature, model_second_derivative), (n_points_near_faces, points_near_faces), held_share)
+SHELLMATCH_JSON(WorstElement, element, level, centre, corner, axis, analytic, (by_jets, dual_numbers),
+                (by_differences, differences))
+SHELLMATCH_JSON(HessianCheck, asymmetry, least_quotient)
+SHELLMATCH_JSON(CeresProbes, (n_elements, elements), (n_failed, failed), worst_relative_error)
+
 namespace {
-
-Json to_json(const DirectionCheck& d) {
-  Json json = {{"resolved", d.resolved}, {"steps", d.steps}, {"remainders", d.remainders},
-               {"orders", d.orders},     {"slope", d.slope}, {"second_derivative", d.curvature}};
-  if (d.model_curvature) json["model_second_derivative"] = *d.model_curvature;
-  json["points_near_faces"] = d.n_points_near_faces;
-  json["held_share"] = d.held_share;
-  return json;
-}
-
-Json to_json(const WorstElement& w) {
-  return {
-      {"element", w.element}, {"level", w.level},       {"centre", w.centre},        {"corner", w.corner},
-      {"axis", w.axis},       {"analytic", w.analytic}, {"dual_numbers", w.by_jets}, {"differences", w.by_differences}};
-}
 
 Json to_json(const TermCheck& t) {
   Json json = {{"term", t.name}, {"state", name_of(t.state)}};
   if (t.state == TermCheck::State::off) return json;
   json["value"] = t.value;
   json["gradient_norm"] = t.gradient_norm;
-  json["directions"] = Json::array();
-  for (const DirectionCheck& d : t.directions) json["directions"].push_back(to_json(d));
+  json["directions"] = json_of(t.directions);
   json["functors"] = {{"value_error", t.value_error},
                       {"gradient_error", t.gradient_error},
                       {"element_error_in_tolerances", t.element_error}};
@@ -35,12 +26,9 @@ Json to_json(const TermCheck& t) {
                          {"compared", t.n_differenced},
                          {"left_out_near_faces", t.n_elements_near_faces},
                          {"with_kinks", t.n_elements_with_kinks}};
-  json["ceres"] = {{"elements", t.ceres.n_elements},
-                   {"failed", t.ceres.n_failed},
-                   {"worst_relative_error", t.ceres.worst_relative_error}};
-  if (t.hessian)
-    json["newton_model"] = {{"asymmetry", t.hessian->asymmetry}, {"least_quotient", t.hessian->least_quotient}};
-  if (t.worst) json["worst_element"] = to_json(*t.worst);
+  json["ceres"] = json_of(t.ceres);
+  if (t.hessian) json["newton_model"] = json_of(*t.hessian);
+  if (t.worst) json["worst_element"] = json_of(*t.worst);
   json["faults"] = t.faults;
   json["notes"] = t.notes;
   return json;

@@ -119,10 +119,16 @@ std::optional<T> read_json(const std::string& path) {
 
 /// SHELLMATCH_JSON(Spread, n, (p95, percentile)): describes a struct by its members in the order in which they are
 /// written. The key of a member is its name, or stands behind it in brackets.
-#define SHELLMATCH_JSON(Type, ...)                                                 \
+#define SHELLMATCH_JSON(Type, ...) SHELLMATCH_JSON_IF((std::is_same_v<std::remove_const_t<S>, Type>), __VA_ARGS__)
+/// The same of a template over the dimension.
+#define SHELLMATCH_JSON_2D_3D(Template, ...)                                                                        \
+  SHELLMATCH_JSON_IF(                                                                                               \
+      (std::is_same_v<std::remove_const_t<S>, Template<2>> || std::is_same_v<std::remove_const_t<S>, Template<3>>), \
+      __VA_ARGS__)
+
+#define SHELLMATCH_JSON_IF(is_type, ...)                                           \
   template <class S, class Member>                                                 \
-  requires std::is_same_v<std::remove_const_t<S>, Type>                            \
-  [[maybe_unused]] static void describe(S& s, Member&& member) {                   \
+  requires is_type [[maybe_unused]] static void describe(S& s, Member&& member) {  \
     NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(SHELLMATCH_JSON_MEMBER, __VA_ARGS__)) \
   }
 // Of an entry in brackets SHELLMATCH_JSON_KEYED is chosen, of others SHELLMATCH_JSON_NAMED.
