@@ -36,8 +36,7 @@ inline constexpr double eligible_order = 1.2;
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);
 
 /// The best distinct maps, ascending by their order(). Landmarks suggest a start of their own, and once scores are
-/// known, which are those of maps without them, eligible maps are refined again with landmarks among the
-/// pairs. Where
+/// known, which are those of maps without them, eligible maps are refined again with landmarks among the pairs. Where
 /// spectra are_ambiguous(), only the surfaces as they lie and landmarks give starts.
 std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);
 

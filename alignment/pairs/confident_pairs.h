@@ -12,8 +12,8 @@
 
 namespace shellmatch {
 
-/// NeighbourLists on surface 1 by which a pair is judged. Along the surface: what touches it, as a hand on another arm,
-/// may move apart.
+/// Neighbours on surface 1 by which a pair is judged. Along the surface: what touches it, as a hand on another arm, may
+/// move apart.
 inline constexpr std::size_t n_near = 6;
 
 /// A map that is right elsewhere may take a patch of a limb to another limb, there and back, so that neither cycles nor

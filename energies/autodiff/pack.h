@@ -6,6 +6,7 @@
 #include "base/registers.h"
 
 #include <Eigen/Core>
+
 #include <cmath>
 
 namespace shellmatch::autodiff {

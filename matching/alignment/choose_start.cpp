@@ -153,7 +153,7 @@ class Choosing {
            clearly_better * chosen.template_distance < none.template_distance || is_more_alike(chosen, none);
   }
 
-  bool bends() const { return Dim == 3 && options_.bend != BendMode::never; }
+  bool bends() const { return Dim == 3 && !is_of_part_ && options_.bend != BendMode::never; }
 
   const Trial& trial(std::size_t i) {
     if (!trials_[i]) trials_[i] = try_(starts_[i].alignment);

@@ -3,7 +3,7 @@ import struct
 
 
 def map_seed(dim, posed, bend=None, cell=None, facts_of=()):
-    """A grid of two cells along each axis, with stored blocks (stored_blocks.cpp), without the line of its checksum. `bend`
+    """A grid of two cells along each axis, with stored blocks (geometry/bytes/zlib_inflate.cpp), without the line of its checksum. `bend`
     is one of a triangle with these corners; `cell` changes the type, the first point or the first position of the first cell."""
     side = range(3)
     nodes = [(x, y, z) for z in (side if dim == 3 else [0]) for y in side for x in side]
