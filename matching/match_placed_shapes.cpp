@@ -22,9 +22,14 @@ namespace shellmatch {
 
 namespace {
 
+/// Smaller components are crumbs of closing and repairs.
+constexpr double least_component = 1e-3;
+/// In diagonals of the template: what ends farther from a part is not in it.
+constexpr double beside_part = 0.03;
+
 template <int Dim>
 ShapeSummary shape_summary(const Shape<Dim>& shape) {
-  const Topology parts = topology(shape.surface);
+  const Topology parts = topology(shape.surface, least_component);
   return {shape.source,
           shape.surface.vertices.size(),
           shape.surface.facets.size(),
@@ -210,7 +215,14 @@ class Matching {
   }
 
   void add_distortions(const Surface<Dim>& deformed) {
-    const std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
+    std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
+    if (summary_.template_shape.may_be_part()) {
+      const double most = beside_part * bounding_box(template_.surface.vertices).diagonal();
+      const std::vector<double> distances = distances_to(deformed.vertices, template_distance_);
+      for (std::size_t f = 0; f < facets.size(); ++f)
+        for (const Index v : deformed.facets[f])
+          if (distances[v] > most) facets[f] = 0;
+    }
     const Surface<Dim> undeformed = measured_facets(unbent_, facets), after = measured_facets(deformed, facets);
     add_distortion(summary_, undeformed, after, template_distance_);
     places_.distorted = coordinates_of_template(most_distorted_place(undeformed, after));

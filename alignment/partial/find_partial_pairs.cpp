@@ -21,9 +21,9 @@ constexpr std::size_t n_anchors = 16, n_places = 500;
 constexpr std::size_t n_ways = 2000;  // that are followed
 constexpr std::size_t n_refined = 24;
 constexpr std::size_t n_queries = 600, n_searched = 5000;
-// What differs by less, in roots of the whole's area, is one: maps at the median vertex, starts at nearly all anchors,
-// since those with one wrong limb are cheap, too.
-constexpr double same_map = 0.15, same_start = 0.2, nearly_all = 0.9;
+// Starts and maps that differ by less at nearly all points, in roots of the whole's area, are one: those with one wrong
+// limb are cheap, too.
+constexpr double same = 0.2, nearly_all = 0.9;
 constexpr double off_border = 0.03;  // anchors' least distance from a border, where there are such
 constexpr double apart = 0.05;       // least distance of an anchor from the others
 
@@ -144,7 +144,7 @@ std::vector<SampleImages> distinct(const std::vector<SampleImages>& all, const E
   for (const SampleImages& images : all) {
     const auto is_same = [&](const SampleImages& other) {
       return quantile_of(images.images.size(), nearly_all,
-                         [&](std::size_t a) { return on_whole(images.images[a], other.images[a]); }) < same_start;
+                         [&](std::size_t a) { return on_whole(images.images[a], other.images[a]); }) < same;
     };
     if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(images);
     if (kept.size() == n_refined) break;
@@ -158,9 +158,9 @@ std::vector<PartialMap> distinct(std::vector<PartialMap> maps, const PartialShap
   std::vector<PartialMap> kept;
   for (PartialMap& map : maps) {
     const auto is_same = [&](const PartialMap& other) {
-      return median_of(map.images.size(), [&](std::size_t v) {
+      return quantile_of(map.images.size(), nearly_all, [&](std::size_t v) {
                return (whole.surface.vertices[map.images[v]] - whole.surface.vertices[other.images[v]]).norm();
-             }) < same_map;
+             }) < same;
     };
     if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(std::move(map));
   }

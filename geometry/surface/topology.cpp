@@ -51,14 +51,26 @@ std::size_t count_edges(const Surface<3>& s) {
 }  // namespace
 
 template <int Dim>
-Topology topology(const Surface<Dim>& s) {
+Topology topology(const Surface<Dim>& s, double least_share) {
   DisjointSets sets(s.vertices.size());
+  for (const auto& facet : s.facets)
+    for (const Index v : facet) sets.join(v, facet[0]);
+  if (least_share > 0) {
+    std::vector<double> area(s.vertices.size(), 0.0);  // of the component whose representative a vertex is
+    double total = 0;
+    for (std::size_t f = 0; f < s.facets.size(); ++f) {
+      const double share = facet_measure(s, static_cast<Index>(f));
+      area[sets.find(s.facets[f][0])] += share;
+      total += share;
+    }
+    Surface<Dim> large{s.vertices, {}};
+    for (const auto& facet : s.facets)
+      if (area[sets.find(facet[0])] >= least_share * total) large.facets.push_back(facet);
+    return topology(large);
+  }
   std::vector<bool> used(s.vertices.size());
   for (const auto& facet : s.facets)
-    for (const Index v : facet) {
-      used[v] = true;
-      sets.join(v, facet[0]);
-    }
+    for (const Index v : facet) used[v] = true;
   Topology result;
   for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v)
     if (used[v]) {
@@ -72,7 +84,7 @@ Topology topology(const Surface<Dim>& s) {
   return result;
 }
 
-template Topology topology(const Surface<2>&);
-template Topology topology(const Surface<3>&);
+template Topology topology(const Surface<2>&, double);
+template Topology topology(const Surface<3>&, double);
 
 }  // namespace shellmatch

@@ -26,8 +26,9 @@ struct Topology {
   int genus = 0;                 ///< sum over the components; 0 in the plane
 };
 
-/// By connected parts and, in space, Euler's characteristic. \pre the surface is closed
+/// By connected parts and, in space, Euler's characteristic. \pre the surface is closed \param least_share of the area
+/// (length); smaller components are left out
 template <int Dim>
-Topology topology(const Surface<Dim>& surface);
+Topology topology(const Surface<Dim>& surface, double least_share = 0);
 
 }  // namespace shellmatch

@@ -62,10 +62,10 @@ inline constexpr double least_of_part = 0.02;
 /// A shape as it was read.
 struct ShapeSummary {
   std::string file;
-  std::size_t n_vertices = 0, n_facets = 0;  ///< of the closed surface that was matched
-  std::vector<std::string> notes;            ///< repairs
-  std::optional<std::size_t> n_components = {};
-  std::optional<int> genus = {};        ///< sum over the components; 0 in the plane
+  std::size_t n_vertices = 0, n_facets = 0;      ///< of the closed surface that was matched
+  std::vector<std::string> notes;                ///< repairs
+  std::optional<std::size_t> n_components = {};  ///< of a thousandth of the area or more
+  std::optional<int> genus = {};                 ///< sum over the components; 0 in the plane
   std::optional<double> invented = {};  ///< share of the area that was made up to close it; none where nothing was
   std::optional<double> buried =
       {};  ///< share of the area that was left out as it lies inside other parts; none where nothing was

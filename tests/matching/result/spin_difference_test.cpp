@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace shellmatch {
@@ -38,6 +40,36 @@ TEST(SpinDifference, IsLargeWhereHeadLiesOnTail) {
     return x;
   });
   EXPECT_GT(spin_difference<3>(shape, reversed, shape, all_is_known, false).value(), 0.4);
+}
+
+TEST(SpinDifference, ComparesThePartsThatBothHave) {
+  const Surface<3> shape = dolphin();
+  const auto box = bounding_box(shape.vertices);
+  int length = 0;
+  (box.max - box.min).maxCoeff(&length);
+  const double middle = 0.5 * (box.min[length] + box.max[length]), unit = std::sqrt(surface_measure(shape));
+  const auto is_known = [&](const Vec<3>& x) { return std::abs(x[length] - middle) < 0.15 * unit; };
+  // All points of the slice lie beside its borders. What was made up beyond is thin.
+  const Surface<3> slice = test::mapped<3>(shape, [&](Vec<3> x) {
+    if (is_known(x)) return x;
+    for (int d = 0; d < 3; ++d)
+      if (d != length) x[d] = 0.5 * (box.min[d] + box.max[d]) + 0.1 * (x[d] - 0.5 * (box.min[d] + box.max[d]));
+    return x;
+  });
+  Evidence<3> evidence{slice, slice};
+  evidence.observed.facets.clear();
+  evidence.unobserved.facets.clear();
+  for (const auto& facet : slice.facets) {
+    const bool known = std::ranges::all_of(facet, [&](Index v) { return is_known(shape.vertices[v]); });
+    (known ? evidence.observed : evidence.unobserved).facets.push_back(facet);
+  }
+  const ObservedPair<3> part{ObservedPart<3>(evidence), {}};
+  EXPECT_LT(spin_difference<3>(slice, slice, shape, part, true).value(), 0.05);
+  const Surface<3> reversed = test::mapped<3>(slice, [&](Vec<3> x) {
+    x[length] = 2 * middle - x[length];
+    return x;
+  });
+  EXPECT_GT(spin_difference<3>(slice, reversed, shape, part, true).value(), 0.1);
 }
 
 TEST(SpinDifference, IsUnknownWithoutEnoughPoints) {
