@@ -3,7 +3,6 @@
 #include "base/stop.h"
 #include "matching/alignment/choose_pose.h"
 #include "matching/alignment/trial.h"
-#include "matching/result/match_summary.h"
 
 #include <fmt/format.h>
 
@@ -72,14 +71,12 @@ std::string direction_text(const DirectionSummary& direction, const DirectionTri
 // Where maps of space keep up, few pairs are missed, and those are wrong ones.
 constexpr double many_missed = 0.005;
 
-/// Bends the reference where no map of space reaches the pairs and one from the bent surface does, and wherever the
-/// latter misses less if the template may be a part: the map of space is then that of the part, which reaches its pairs
-/// easily, and its inverse spreads what lies beside it. Returns whether.
+/// Bends the reference where no map of space reaches the pairs and one from the bent surface does. Returns whether.
 bool bend_if_needed(const Trials<3>& trials, const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                     const ExperimentOptions& options, const DirectionTrial& reached, PreparedPair<3>& pair,
                     Observer& observer) {
   if (options.align.bend == BendMode::never || pair.alignment.pairs.empty()) return false;
-  if (!(reached.missed > many_missed) && !(shapes.template_shape.invented_share > least_of_part)) return false;
+  if (!(reached.missed > many_missed)) return false;
   Alignment<3> bent = bent_start(pair.alignment, shapes.reference.surface, landmarks);
   const DirectionTrial trial = trials.of_direction(bent, Carried::reference);
   if (!(trial.missed < reached.missed)) return false;
