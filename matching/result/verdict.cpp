@@ -184,7 +184,9 @@ void judge_landmarks(const MatchSummary& summary, Reasons& reasons) {
 
 void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
   const ShapeSummary &a = summary.reference, &b = summary.template_shape;
-  if (a.n_components && b.n_components && (a.n_components != b.n_components || a.genus != b.genus))
+  // What a part has of either tells nothing about the whole.
+  const bool are_wholes = !a.may_be_part() && !b.may_be_part();
+  if (are_wholes && a.n_components && b.n_components && (a.n_components != b.n_components || a.genus != b.genus))
     reasons.look(
         {fmt::format("the reference has {} component{} and genus {}, the template {} and {}", *a.n_components,
                      *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),

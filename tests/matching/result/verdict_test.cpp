@@ -247,6 +247,7 @@ TEST(Verdict, WhatAPartLacksIsToBeLookedAt) {
   const auto far_on_average = [](MatchSummary& s) { s.distance->template_to_deformed.mean = 0.05; };
   EXPECT_EQ(outcome([&](MatchSummary& s) { far_on_average(s), s.reference.invented = 0.2; }), "look-here");
   EXPECT_EQ(outcome([&](MatchSummary& s) { far_on_average(s), s.template_shape.invented = 0.2; }), "not-matched");
+  EXPECT_EQ(outcome([&](MatchSummary& s) { s.reference.n_components = 2, s.reference.invented = 0.2; }), "matched");
   // Of two parts distances on average are of what both have.
   EXPECT_EQ(
       outcome([&](MatchSummary& s) { far_on_average(s), s.reference.invented = 0.2, s.template_shape.invented = 0.2; }),
