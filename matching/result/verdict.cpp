@@ -30,7 +30,9 @@ struct AllLimits {
 constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08}, {20, 48}, {4, 12}};
 // Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same.
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
-constexpr double nearly_isometric = 0.8, clear_margin = 1.15, alike = 0.4;
+constexpr double nearly_isometric = 0.8, alike = 0.4;
+// Of maps of parts more can be exchanged that hardly shows.
+constexpr double clear_margin = 1.15, clear_margin_of_part = 1.2;
 constexpr double much_invented = 0.5;  // share of a shape's area
 // Landmarks set by hand are wrong by less, a landmark on another limb by more.
 constexpr Limits landmark_distance{0.05, 0.15};
@@ -83,8 +85,10 @@ class Reasons {
 // looks alike. Exchanged sides look alike, too, but are not clearly better or worse than the right ones.
 bool is_vouched_for(const MatchSummary& summary) {
   const auto& a = summary.alignment;
+  const bool one_is_part = summary.reference.may_be_part() || summary.template_shape.may_be_part();
+  const double least_margin = one_is_part ? clear_margin_of_part : clear_margin;
   return a && !a->doubtful && !a->as_it_lies && a->n_pairs > 0 && a->score && *a->score <= nearly_isometric &&
-         a->margin.value_or(clear_margin) >= clear_margin && summary.spin_difference &&
+         a->margin.value_or(least_margin) >= least_margin && summary.spin_difference &&
          *summary.spin_difference <= alike;
 }
 

@@ -113,6 +113,11 @@ TEST(Verdict, WhatAPartLacksIsNoReasonWhereTheMapIsVouchedFor) {
   EXPECT_EQ(judge(s, places).outcome, "not-matched");
   s.reference.invented = 0.1;
   EXPECT_EQ(judge(s, places).outcome, "matched");
+  MatchSummary unclear = s;
+  unclear.angle_distortion->p95 = 40;
+  EXPECT_EQ(judge(unclear, places).outcome, "matched");
+  unclear.alignment->margin = 1.18;
+  EXPECT_EQ(judge(unclear, places).outcome, "look-here") << "of a part another map may differ in one limb only";
   s.spin_difference = 0.45;
   s.angle_distortion->p95 = 15;
   s.flipped_share = 0.003;
