@@ -40,7 +40,7 @@ TEST(Repair, AFaceOfVeryManyCornersKeepsItsArea) {
 
 // A star of so many points, closed by a cone: its triangles overlap, and the user is told.
 TEST(Repair, AFaceThatCrossesItselfTooMuchIsNoted) {
-  constexpr Index n = 60001;
+  constexpr Index n = 33001;
   OriginalShape<3> shape;
   shape.polygons.emplace_back();
   for (Index v = 0; v < n; ++v) {
