@@ -84,15 +84,15 @@ class GeoJsonReader {
     if (text_of(feature, "type") != "Feature") throw_input_error("{}: is no Feature; export it again", where());
     drawing_.areas.emplace_back();
     const Json* properties = member(feature, "properties");
-    std::vector<std::string>& names = drawing_.areas.back().names;
+    std::vector<std::string>& area_names = drawing_.areas.back().names;
     // QuPath before 0.3 gave all objects of a kind one id.
     const std::string id = text_of(feature, "id");
     const bool is_kind = id.starts_with("Path") && id.ends_with("Object");
     if (properties) {
-      if (std::string name = text_of(*properties, "name"); !name.empty()) names.push_back(std::move(name));
+      if (std::string name = text_of(*properties, "name"); !name.empty()) area_names.push_back(std::move(name));
       if (const Json* group = member(*properties, "classification")) put_in_group(text_of(*group, "name"));
     }
-    if (!id.empty() && !is_kind) names.push_back(id);
+    if (!id.empty() && !is_kind) area_names.push_back(id);
     is_of_qupath_ = is_of_qupath_ || is_kind ||
                     (properties && (member(*properties, "objectType") || member(*properties, "object_type")));
     n_nuclei_ += member(feature, "nucleusGeometry") != nullptr;
