@@ -91,8 +91,6 @@ class GeometryField {
   // much derivatives of smooth fields jump where the level changes: by 1e-7 of their size.
   using KeptPack = autodiff::KeptPack;
   typedef float KeptPair __attribute__((vector_size(8)));
-  static Pack widened(const KeptPack& x) { return autodiff::widened(x); }
-  static Pair widened(const KeptPair& x) { return __builtin_convertvector(x, Pair); }
   struct LocatedPoint {
     Index leaf;      ///< number of the leaf in the octree or the SplineSpace
     Vec<Dim> t;      ///< position within the leaf, in [0, 1]

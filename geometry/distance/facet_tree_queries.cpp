@@ -100,8 +100,8 @@ class FacetTree<Dim>::Stack {
     for (int i = 0; i < width; i += n_lanes) {
       Lanes sum{};
       for (int k = 0; k < Dim; ++k)
-        sum += to_box(__builtin_convertvector(load<FloatLanes>(&node.min[k][i]), Lanes) - x[k],
-                      x[k] - __builtin_convertvector(load<FloatLanes>(&node.max[k][i]), Lanes));
+        sum += to_box(widened(load<FloatLanes>(&node.min[k][i])) - x[k],
+                      x[k] - widened(load<FloatLanes>(&node.max[k][i])));
       store(sum, &distances[i]);
     }
     const int first = n_;
