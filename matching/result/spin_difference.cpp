@@ -2,6 +2,7 @@
 
 #include "alignment/spectrum/spin_images.h"
 #include "base/parallel.h"
+#include "geometry/surface/subdivision.h"
 #include "matching/pairs/coverage.h"
 
 #include <algorithm>
@@ -16,7 +17,8 @@ namespace {
 // In roots of the area.
 constexpr double image_radius = 0.2, smoothing_radius = 0.04, common_reach = 0.05;
 constexpr std::size_t n_points = 4000, n_compared = 500, n_least_compared = 50;
-constexpr std::size_t n_least_vertices = 500;
+constexpr std::size_t n_least_vertices = 100;
+constexpr std::size_t n_dense = 500;  // with fewer vertices edges are cut, or an image has few points
 
 using Samples = std::vector<SurfaceSample<3>>;
 
@@ -98,7 +100,15 @@ template <>
 std::optional<double> spin_difference<3>(const Surface<3>& reference, const Surface<3>& deformed,
                                          const Surface<3>& template_surface, const ObservedPair<3>& observed,
                                          bool one_is_part) {
-  if (std::min(reference.vertices.size(), template_surface.vertices.size()) < n_least_vertices) return std::nullopt;
+  const std::size_t n_fewest = std::min(reference.vertices.size(), template_surface.vertices.size());
+  if (n_fewest < n_least_vertices) return std::nullopt;
+  if (n_fewest < n_dense) {
+    Surface<3> finer[] = {reference, deformed, template_surface};
+    for (Surface<3>& surface : finer)
+      if (!cut_long_edges(surface, 0)) return std::nullopt;
+    if (finer[0].facets != finer[1].facets) return std::nullopt;  // some edges have collapsed
+    return spin_difference<3>(finer[0], finer[1], finer[2], observed, one_is_part);
+  }
   double unit[] = {std::sqrt(surface_measure(reference)), std::sqrt(surface_measure(template_surface))};
   if (one_is_part) unit[0] = unit[1] = std::max(unit[0], unit[1]);
   const std::vector<Vec<3>> normals = vertex_normals(deformed);

@@ -2,6 +2,7 @@
 // is known.
 #include "matching/result/spin_difference.h"
 
+#include "geometry/repair/repair_steps.h"
 #include "matching/input/shape_source.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
@@ -72,8 +73,17 @@ TEST(SpinDifference, ComparesThePartsThatBothHave) {
   EXPECT_GT(spin_difference<3>(slice, reversed, shape, part, true).value(), 0.1);
 }
 
+TEST(SpinDifference, TellsOfCoarseMeshesToo) {
+  const Surface<3> shape = simplified(dolphin(), 200);
+  ASSERT_LT(shape.vertices.size(), 250u);
+  EXPECT_NEAR(spin_difference<3>(shape, shape, shape, all_is_known, false).value(), 0, 1e-6);
+  const auto box = bounding_box(shape.vertices);
+  const Surface<3> turned = test::mapped<3>(shape, [&](const Vec<3>& x) { return Vec<3>(box.min + box.max - x); });
+  EXPECT_GT(spin_difference<3>(shape, turned, shape, all_is_known, false).value(), 0.3);
+}
+
 TEST(SpinDifference, IsUnknownWithoutEnoughPoints) {
-  const Surface<3> coarse = test::unit_sphere(2), shape = dolphin();
+  const Surface<3> coarse = test::unit_sphere(1), shape = dolphin();
   EXPECT_FALSE(spin_difference<3>(coarse, coarse, coarse, all_is_known, false));
   // Half of it was made up: what is known lies beside the gap.
   Evidence<3> evidence{shape, shape};
