@@ -32,6 +32,7 @@ const std::vector<Adapter>& adapter_table() {
        {"ceres/gradient_checker.h", "ceres/dynamic_numeric_diff_cost_function.h"},
        {"matching/derivative_check/ceres_checker.cpp"}},
       {"Ceres", {"ceres/", "glog/"}, {"solvers/libraries/ceres_*.cpp", "alignment/bend/ceres_*.cpp"}},
+      {"the compiler's names for instructions", {"immintrin.h"}, {"base/registers.h"}},
       {"CHOLMOD", {"cholmod"}, {"solvers/metric/cholmod_*.cpp"}},
       {"CGAL", {"CGAL/"}, {"geometry/*/cgal_*.cpp", "geometry/*/cgal_*.h"}},
       {"Boost", {"boost/"}, {"grid/inverse/boost_*.cpp"}},
