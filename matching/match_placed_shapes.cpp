@@ -11,6 +11,7 @@
 #include "matching/result/spin_difference.h"
 #include "matching/result/verdict.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -214,14 +215,13 @@ class Matching {
     return {y.begin(), y.end()};
   }
 
-  void add_distortions(const Surface<Dim>& deformed) {
+  // With the distances of the deformed vertices.
+  void add_distortions(const Surface<Dim>& deformed, const std::vector<double>& distances) {
     std::vector<char> facets = parts_.of_facets(reference_.surface, deformed);
     if (summary_.template_shape.may_be_part()) {
       const double most = beside_part * bounding_box(template_.surface.vertices).diagonal();
-      const std::vector<double> distances = distances_to(deformed.vertices, template_distance_);
       for (std::size_t f = 0; f < facets.size(); ++f)
-        for (const Index v : deformed.facets[f])
-          if (distances[v] > most) facets[f] = 0;
+        if (std::ranges::any_of(deformed.facets[f], [&](Index v) { return distances[v] > most; })) facets[f] = 0;
     }
     const Surface<Dim> undeformed = measured_facets(unbent_, facets), after = measured_facets(deformed, facets);
     add_distortion(summary_, undeformed, after, template_distance_);
@@ -269,7 +269,8 @@ class Matching {
       const TwoSidedDistance measured = measure_distance(carry, all_points);
       if (!summary_.distance) summary_.distance = measured;
     }
-    add_distortions(deformed);
+    std::vector<double> distance = vertex_distances(deformed);
+    add_distortions(deformed, distance);
     add_landmark_distances(map);
     measuring.next(3);
     summary_.spin_difference =
@@ -286,7 +287,6 @@ class Matching {
     const SignedDistance<Dim> deformed_distance(deformed);
     OriginalShape<Dim> covered = template_with_distance(template_.original, map, deformed_distance);
     add_observed(moved, covered, map, deformed);
-    std::vector<double> distance = vertex_distances(deformed);
     std::vector<double> template_distance = distances_to(template_.surface.vertices, deformed_distance);
     leave_out(template_distance, parts_.of_template(template_.surface.vertices, deformed));
     return {.map = std::move(map),

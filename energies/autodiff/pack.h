@@ -15,7 +15,6 @@ inline constexpr int pack_size = 8;
 typedef double Pack __attribute__((vector_size(sizeof(double) * pack_size)));
 /// As many numbers in single precision, in which much is kept.
 typedef float KeptPack __attribute__((vector_size(sizeof(float) * pack_size)));
-using shellmatch::widened;
 
 inline Pack broadcast(Pack, double c) { return Pack{} + c; }
 inline double broadcast(double, double c) { return c; }

@@ -25,7 +25,7 @@ class Band {
     autodiff::Pack weight;  ///< eta_sigma(d1) h^Dim w_q; 0 in lanes where the point is outside the band
     std::array<autodiff::KeptPack, n_reference> kept;  ///< in single precision, as the field from which it is
     /// Component i of ReferencePoint.
-    autodiff::Pack reference(int i) const { return autodiff::widened(kept[i]); }
+    autodiff::Pack reference(int i) const { return widened(kept[i]); }
   };
   struct Batch {
     std::array<Index, n_lanes> element;  ///< number in Unknowns::elements(); where there are fewer than lanes the

@@ -40,37 +40,26 @@ std::optional<std::vector<BorderLoop>> border_loops(const Surface<3>& surface) {
   return loops;
 }
 
-namespace {
-
-std::size_t count_edges(const Surface<3>& s) {
-  std::size_t n = 0;
-  for_each_edge(sorted_edges(s.facets, s.vertices.size()), [&](const FacetEdge*, const FacetEdge*) { ++n; });
-  return n;
-}
-
-}  // namespace
-
 template <int Dim>
 Topology topology(const Surface<Dim>& s, double least_share) {
   DisjointSets sets(s.vertices.size());
   for (const auto& facet : s.facets)
     for (const Index v : facet) sets.join(v, facet[0]);
-  if (least_share > 0) {
-    std::vector<double> area(s.vertices.size(), 0.0);  // of the component whose representative a vertex is
-    double total = 0;
-    for (std::size_t f = 0; f < s.facets.size(); ++f) {
-      const double share = facet_measure(s, static_cast<Index>(f));
-      area[sets.find(s.facets[f][0])] += share;
-      total += share;
-    }
-    Surface<Dim> large{s.vertices, {}};
-    for (const auto& facet : s.facets)
-      if (area[sets.find(facet[0])] >= least_share * total) large.facets.push_back(facet);
-    return topology(large);
+  std::vector<double> area(s.vertices.size(), 0.0);  // of the component for which a vertex stands
+  double total = 0;
+  for (std::size_t f = 0; f < s.facets.size(); ++f) {
+    const double share = facet_measure(s, static_cast<Index>(f));
+    area[sets.find(s.facets[f][0])] += share;
+    total += share;
   }
+  const auto counts = [&](const auto& facet) { return !(area[sets.find(facet[0])] < least_share * total); };
   std::vector<bool> used(s.vertices.size());
+  std::size_t n_facets = 0;
   for (const auto& facet : s.facets)
-    for (const Index v : facet) used[v] = true;
+    if (counts(facet)) {
+      ++n_facets;
+      for (const Index v : facet) used[v] = true;
+    }
   Topology result;
   for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v)
     if (used[v]) {
@@ -78,7 +67,10 @@ Topology topology(const Surface<Dim>& s, double least_share) {
       result.n_components += sets.find(v) == v;
     }
   if constexpr (Dim == 3) {
-    const long euler = static_cast<long>(result.n_vertices + s.facets.size()) - static_cast<long>(count_edges(s));
+    std::size_t n_edges = 0;
+    for_each_edge(sorted_edges(s.facets, s.vertices.size()),
+                  [&](const FacetEdge* edge, const FacetEdge*) { n_edges += counts(s.facets[edge->facet]); });
+    const long euler = static_cast<long>(result.n_vertices + n_facets) - static_cast<long>(n_edges);
     result.genus = static_cast<int>(static_cast<long>(result.n_components) - euler / 2);
   }
   return result;

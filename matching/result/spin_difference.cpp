@@ -100,14 +100,17 @@ template <>
 std::optional<double> spin_difference<3>(const Surface<3>& reference, const Surface<3>& deformed,
                                          const Surface<3>& template_surface, const ObservedPair<3>& observed,
                                          bool one_is_part) {
-  const std::size_t n_fewest = std::min(reference.vertices.size(), template_surface.vertices.size());
-  if (n_fewest < n_least_vertices) return std::nullopt;
-  if (n_fewest < n_dense) {
-    Surface<3> finer[] = {reference, deformed, template_surface};
-    for (Surface<3>& surface : finer)
-      if (!cut_long_edges(surface, 0)) return std::nullopt;
-    if (finer[0].facets != finer[1].facets) return std::nullopt;  // some edges have collapsed
-    return spin_difference<3>(finer[0], finer[1], finer[2], observed, one_is_part);
+  if (std::min(reference.vertices.size(), template_surface.vertices.size()) < n_least_vertices) return std::nullopt;
+  if (reference.vertices.size() < n_dense) {
+    Surface<3> finer = reference, finer_deformed = deformed;
+    if (!cut_long_edges(finer, 0) || !cut_long_edges(finer_deformed, 0)) return std::nullopt;
+    if (finer.facets != finer_deformed.facets) return std::nullopt;  // some edges have collapsed
+    return spin_difference<3>(finer, finer_deformed, template_surface, observed, one_is_part);
+  }
+  if (template_surface.vertices.size() < n_dense) {
+    Surface<3> finer = template_surface;
+    if (!cut_long_edges(finer, 0)) return std::nullopt;
+    return spin_difference<3>(reference, deformed, finer, observed, one_is_part);
   }
   double unit[] = {std::sqrt(surface_measure(reference)), std::sqrt(surface_measure(template_surface))};
   if (one_is_part) unit[0] = unit[1] = std::max(unit[0], unit[1]);
