@@ -30,7 +30,9 @@ struct LaplacianEigenpairs {
 };
 
 /// The `n` pairs of least eigenvalue: Lanczos with implicit restarts for the inverse. On a connected surface the first
-/// function is constant and positive. The sign of the others is arbitrary, but the same in every call.
+/// function is constant and positive. The sign of the others is arbitrary, but the same in every call. Of a multiple
+/// eigenvalue near the last one, copies may be missing, of which Spectra says nothing
+/// (findings/spectra-multiple-eigenvalues.sh).
 /// \pre 0 < n < number of vertices \throws InputError if the Laplacian is not finite or the iteration does not converge
 LaplacianEigenpairs least_eigenpairs(const SurfaceLaplacian& laplacian, int n);
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 
 #include <algorithm>
 #include <array>
@@ -168,10 +169,12 @@ class Lattice::Body {
 
   template <class Body>
   void for_each_cube(Body&& body) {
-    for (const auto& first : blocks_)
+    for (const auto& first : blocks_) {
+      stop_if_wanted();
       for (int k = first[2]; k < std::min(first[2] + block, n_ - 1); ++k)
         for (int j = first[1]; j < std::min(first[1] + block, n_ - 1); ++j)
           for (int i = first[0]; i < std::min(first[0] + block, n_ - 1); ++i) body(std::array<int, 3>{i, j, k});
+    }
   }
 
   // Each of the three upper faces of a cube lies between two centres, which form a tetrahedron with every

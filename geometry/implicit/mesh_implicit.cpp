@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/stop.h"
 #include "geometry/implicit/lattice.h"
 
 #include <algorithm>
@@ -72,8 +73,11 @@ using FacetOfEdge = std::unordered_map<std::uint64_t, Index>;
 FacetOfEdge facets_of_edges(const Surface<3>& s) {
   FacetOfEdge facet_of;
   facet_of.reserve(3 * s.facets.size());
-  for (std::size_t f = 0; f < s.facets.size(); ++f)
+  StopCheck stop_check;
+  for (std::size_t f = 0; f < s.facets.size(); ++f) {
+    stop_check();
     for (int k = 0; k < 3; ++k) facet_of[edge_key(s.facets[f][k], s.facets[f][(k + 1) % 3])] = static_cast<Index>(f);
+  }
   return facet_of;
 }
 
@@ -102,9 +106,11 @@ void swap_to_delaunay(Surface<3>& s) {
     for (const Index v : facet) ++valence[v];
   // Whose edges have all been seen to be, before any change of the facet or a neighbour.
   std::vector<char> is_delaunay(s.facets.size(), false);
+  StopCheck stop_check;
   for (int pass = 0; pass < 8; ++pass) {
     int n_swaps = 0;
     for (Index f = 0; f < static_cast<Index>(s.facets.size()); ++f) {
+      stop_check();
       if (is_delaunay[f]) continue;
       is_delaunay[f] = true;
       for (int k = 0; k < 3; ++k) {
@@ -176,7 +182,9 @@ std::vector<Index> vertices_without_a_fan(const Surface<3>& s) {
         is_bad[v] = is_bad[next] = true;
     }
   std::vector<Index> found;
+  StopCheck stop_check;
   for (Index v = 0; v < static_cast<Index>(s.vertices.size()); ++v) {
+    stop_check();
     if (!is_bad[v] && n_facets[v] > 0) {
       // A walk around v from facet to facet must return after visiting all of them.
       Index f = start[v], n = 0;
