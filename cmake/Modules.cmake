@@ -39,6 +39,8 @@ target_compile_options(shellmatch_quick INTERFACE $<$<CONFIG:Release>:-O1> $<$<C
 # Headers that nearly all files include are precompiled once for all targets with the same flags. Every source still
 # includes all headers that it uses; builds without precompiled headers check this (preset 'tidy', or
 # CMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
+# With a precompiled header the heap of g++ is large from the start, and by default it is searched for garbage all the time.
+target_compile_options(shellmatch_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
 set(shellmatch_precompiled_headers <Eigen/Core> <fmt/format.h> <algorithm> <array> <cmath> <cstdint> <filesystem> <functional>
     <limits> <map> <memory> <optional> <span> <string> <string_view> <utility> <variant> <vector>)
 target_compile_options(shellmatch_flags INTERFACE
@@ -53,7 +55,7 @@ target_compile_options(shellmatch_flags INTERFACE
 
 # shellmatch_unity(target sources...)
 #
-# Compiles up to five sources of a room together, so that the headers and templates that they share are read and made once.
+# Compiles up to twelve sources of a room together, so that the headers and templates that they share are read and made once.
 # Names of anonymous namespaces are therefore unique in a room. Every source still compiles alone (presets 'dev' and 'tidy').
 # The source property SHELLMATCH_UNIT names another unit, or `alone` for a source that takes long by itself.
 function(shellmatch_unity target)
@@ -72,7 +74,7 @@ function(shellmatch_unity target)
       get_filename_component(room ${source} DIRECTORY)
       string(MAKE_C_IDENTIFIER "${target}_${room}" room)
       math(EXPR n_${room} "${n_${room}} + 1")
-      math(EXPR group "(${n_${room}} - 1) / 5")
+      math(EXPR group "(${n_${room}} - 1) / 12")
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${group})
     endif()
   endforeach()

@@ -17,7 +17,7 @@ namespace shellmatch {
 namespace {
 
 // What ends alike stays forward.
-constexpr double clearly_better = 0.985;
+constexpr double clearly_cheaper = 0.985;
 
 /// The deformed shape first.
 template <int Dim>
@@ -50,7 +50,7 @@ DirectionTrials choose_direction(const Trials<Dim>& trials, const Alignment<Dim>
   trying.next();
   const DirectionTrial backward =
       trials.of_exchanged_shapes().of_direction(inverse(alignment), Carried::template_shape);
-  direction.backward = cost(backward) < clearly_better * cost(forward);
+  direction.backward = cost(backward) < clearly_cheaper * cost(forward);
   const auto keep = [](const DirectionTrial& trial, std::optional<double>& distance, std::optional<double>& energy) {
     if (!std::isfinite(trial.distance)) return;
     distance = trial.distance;

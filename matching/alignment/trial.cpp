@@ -48,7 +48,7 @@ constexpr int most_trial_iterations = 80;
 // Of starts that differ little the distances decide.
 constexpr std::size_t n_measured = 100'000;
 // A cell of coarse grids is a hundred facets of these wide.
-constexpr std::size_t most_facets = 200'000, n_vertices_of_large = 20'000;
+constexpr std::size_t most_tried_facets = 200'000, n_vertices_of_large = 20'000;
 
 ExperimentOptions trial_options(const ExperimentOptions& options) {
   ExperimentOptions trial = options;
@@ -74,10 +74,10 @@ Shape<Dim> tried_shape(const Shape<Dim>& shape) {
   tried.evidence = shape.evidence;
   tried.invented_share = shape.invented_share;
   tried.buried_share = shape.buried_share;
-  if (tried.surface.facets.size() <= most_facets) tried.crossing = shape.crossing;
+  if (tried.surface.facets.size() <= most_tried_facets) tried.crossing = shape.crossing;
   if constexpr (Dim == 3)
     for (Surface<3>* surface : {&tried.surface, &tried.evidence.observed, &tried.evidence.unobserved})
-      if (surface->facets.size() > most_facets) *surface = simplified(*surface, n_vertices_of_large);
+      if (surface->facets.size() > most_tried_facets) *surface = simplified(*surface, n_vertices_of_large);
   return tried;
 }
 

@@ -19,7 +19,7 @@ using testing::contents_of;
 using testing::TemporaryFolder;
 
 // Pictures, which take a second in all, leave the time to send a signal.
-Words match(const std::string& out, const Words& more = {}) {
+Words match_circle(const std::string& out, const Words& more = {}) {
   Words words{"match", "generate:circle", "generate:ellipse/long", "-o",    out,           "--levels", "3:6", "--align",
               "none",  "--set",           "resume.min_seconds=0",  "--set", "pictures=all"};
   words.insert(words.end(), more.begin(), more.end());
@@ -41,9 +41,9 @@ void expect_same_results(const fs::path& a, const fs::path& b) {
 
 TEST(StoppedRun, SignalsAreToldInOneLineAndTheSameCommandGoesOn) {
   const TemporaryFolder tmp;
-  ASSERT_EQ(run_program(match(tmp / "whole")).exit_code, 0);
+  ASSERT_EQ(run_program(match_circle(tmp / "whole")).exit_code, 0);
   for (const auto& [signal, exit_code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
-    Program program(match(tmp / "out"));
+    Program program(match_circle(tmp / "out"));
     ASSERT_TRUE(program.wait_for_stderr("level 5/6, step 1"));
     program.send_signal(signal);
     const ProgramResult stopped = program.wait();
@@ -55,7 +55,7 @@ TEST(StoppedRun, SignalsAreToldInOneLineAndTheSameCommandGoesOn) {
         << stopped.err;
     EXPECT_EQ(stopped.out, "");
 
-    const ProgramResult resumed = run_program(match(tmp / "out"));
+    const ProgramResult resumed = run_program(match_circle(tmp / "out"));
     EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
     EXPECT_EQ(resumed.err.rfind("going on after level ", 0), 0u) << resumed.err;
     EXPECT_EQ(resumed.err.find("level 4/6"), std::string::npos) << resumed.err;
@@ -67,9 +67,9 @@ TEST(StoppedRun, SignalsAreToldInOneLineAndTheSameCommandGoesOn) {
 
 TEST(StoppedRun, KilledAtAnyMomentItGoesOnAndCleansUp) {
   const TemporaryFolder tmp;
-  ASSERT_EQ(run_program(match(tmp / "whole")).exit_code, 0);
+  ASSERT_EQ(run_program(match_circle(tmp / "whole")).exit_code, 0);
   for (const char* moment : {"level 3/6", "level 4/6, step 2", "level 5/6, step 3"}) {
-    auto words = match(tmp / "out");
+    auto words = match_circle(tmp / "out");
     words.emplace_back("-v");  // a line for each step
     Program program(words);
     ASSERT_TRUE(program.wait_for_stderr(moment));
@@ -77,7 +77,7 @@ TEST(StoppedRun, KilledAtAnyMomentItGoesOnAndCleansUp) {
     EXPECT_EQ(program.wait().exit_code, 128 + SIGKILL);
   }
   EXPECT_TRUE(fs::exists(tmp / ".out.lock"));
-  const ProgramResult resumed = run_program(match(tmp / "out"));
+  const ProgramResult resumed = run_program(match_circle(tmp / "out"));
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_EQ(resumed.err.rfind("going on after level ", 0), 0u) << resumed.err;
   expect_same_results(tmp / "whole", tmp / "out");
@@ -87,10 +87,10 @@ TEST(StoppedRun, KilledAtAnyMomentItGoesOnAndCleansUp) {
 
 TEST(StoppedRun, TwoRunsOfOneNameDoNotMeet) {
   const TemporaryFolder tmp;
-  Program first(match(tmp / "out"));
+  Program first(match_circle(tmp / "out"));
   ASSERT_TRUE(first.wait_for_stderr("level 4/6"));
   first.send_signal(SIGSTOP);  // or it might be done before the second one looks
-  const ProgramResult second = run_program(match(tmp / "out"));
+  const ProgramResult second = run_program(match_circle(tmp / "out"));
   EXPECT_EQ(second.exit_code, 2);
   EXPECT_NE(second.err.find("another run is writing there"), std::string::npos) << second.err;
   first.send_signal(SIGCONT);

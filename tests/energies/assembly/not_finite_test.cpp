@@ -56,7 +56,7 @@ struct NanGradient : CellTerm<2> {
 };
 
 template <int Dim>
-struct Shapes {
+struct ShapesOfSpheres {
   const Octree<Dim> grid = hanging_grid<Dim>(0.28);
   const Problem<Dim> problem{grid, exact_fields<Dim>(grid, sphere<Dim>(0.28)),
                              exact_fields<Dim>(grid, sphere<Dim>(0.3))};
@@ -70,7 +70,7 @@ TYPED_TEST_SUITE(NotFiniteTest, Dimensions);
 
 TYPED_TEST(NotFiniteTest, AValueIsTracedToTermCellAndPoint) {
   constexpr int Dim = TypeParam::value;
-  const Shapes<Dim> s;
+  const ShapesOfSpheres<Dim> s;
   const auto terms = std::make_shared<EnergyTerms<Dim>>(s.problem.options);
   const double depth = 0.05;
   const Term planted = terms->add(compile_term<NanBelowDepth<Dim>>(), {depth});
@@ -99,7 +99,7 @@ TYPED_TEST(NotFiniteTest, AValueIsTracedToTermCellAndPoint) {
 }
 
 TEST(NotFinite, AGradientIsTracedToTermCellAndPoint) {
-  const Shapes<2> s;
+  const ShapesOfSpheres<2> s;
   const auto terms = std::make_shared<EnergyTerms<2>>(s.problem.options);
   const Term planted = terms->add(compile_term<NanGradient>());
   const MatchingEnergy<2> energy(s.problem.unknowns, s.problem.geometry, terms, s.problem.sigma, 2);
@@ -126,7 +126,7 @@ TEST(NotFinite, AGradientIsTracedToTermCellAndPoint) {
 // A weight that a double holds and a float does not, which is what Newton's matrix is kept in.
 TYPED_TEST(NotFiniteTest, AModelIsTracedToTermCellAndPoint) {
   constexpr int Dim = TypeParam::value;
-  const Shapes<Dim> s;
+  const ShapesOfSpheres<Dim> s;
   TermValues weights, values;
   for (std::size_t t = 0; t < weights.size(); ++t) weights[t] = 1;
   EnergyHessian<Dim> hessian(s.problem.energy, s.problem.unknowns);

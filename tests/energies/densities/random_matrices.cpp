@@ -1,7 +1,11 @@
 #include "tests/energies/densities/random_matrices.h"
 
+#include "base/decompositions.h"
+
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include <Eigen/Geometry>
+
+#include <cmath>
 
 namespace shellmatch::test {
 
@@ -9,10 +13,13 @@ template <int Dim>
 Mat<Dim> random_rotation(std::mt19937& random) {
   if constexpr (Dim == 1) {
     return Mat<1>::Ones();
+  } else if constexpr (Dim == 2) {
+    return Eigen::Rotation2Dd(std::uniform_real_distribution<double>(-M_PI, M_PI)(random)).toRotationMatrix();
   } else {
-    Mat<Dim> q = Eigen::HouseholderQR<Mat<Dim>>(random_matrix<Dim>(random)).householderQ();
-    if (q.determinant() < 0) q.col(0) = -q.col(0);
-    return q;
+    std::normal_distribution<double> normal;
+    Eigen::Quaterniond q;
+    for (double& x : q.coeffs()) x = normal(random);
+    return q.normalized().toRotationMatrix();
   }
 }
 
@@ -32,9 +39,22 @@ Mat<Dim> random_orientation_preserving(std::mt19937& random, double low, double 
 
 template <int Dim>
 Mat<Dim> power(const Mat<Dim>& s, double exponent) {
-  const Eigen::SelfAdjointEigenSolver<Mat<Dim>> e(s);
-  const Vec<Dim> l = e.eigenvalues().array().pow(exponent);
-  return e.eigenvectors() * l.asDiagonal() * e.eigenvectors().transpose();
+  if constexpr (Dim == 1) {
+    return Mat<1>(std::pow(s(0, 0), exponent));
+  } else {
+    const Eigenpairs<Dim> e = eigenpairs<Dim>(s);
+    const Vec<Dim> l = e.values.array().pow(exponent);
+    return e.vectors * l.asDiagonal() * e.vectors.transpose();
+  }
+}
+
+Eigen::MatrixXd positive_part(const Eigen::MatrixXd& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> e(symmetric);
+  return e.eigenvectors() * e.eigenvalues().cwiseMax(0.0).asDiagonal() * e.eigenvectors().transpose();
+}
+
+double least_eigenvalue(const Eigen::MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
 #define SHELLMATCH_INSTANTIATE(Dim)                                                    \

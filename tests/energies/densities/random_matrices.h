@@ -39,6 +39,13 @@ Mat<Dim> random_orientation_preserving(std::mt19937& random, double low, double 
 template <int Dim>
 Mat<Dim> power(const Mat<Dim>& s, double exponent);
 
+// By Eigen, compiled once.
+
+/// A symmetric matrix without its negative modes.
+Eigen::MatrixXd positive_part(const Eigen::MatrixXd& symmetric);
+
+double least_eigenvalue(const Eigen::MatrixXd& symmetric);
+
 template <class T = double, int Dim>
 SmallMat<T, Dim> small(const Eigen::Matrix<double, Dim, Dim>& a) {
   SmallMat<T, Dim> s;

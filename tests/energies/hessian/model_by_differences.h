@@ -5,23 +5,16 @@
 
 #include "energies/cost/element_cost.h"
 #include "energies/densities/positive_hessian.h"
+#include "tests/energies/densities/random_matrices.h"
 #include "tests/energies/matching_problem.h"
 #include "tests/energies/terms/band_density.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <span>
 #include <type_traits>
 
 namespace shellmatch::test {
-
-/// h without its negative modes.
-template <class Matrix>
-Matrix positive_part(const Matrix& h) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(h);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
-}
 
 /// Exact second derivative of a density by the entries of its argument.
 template <class Density>

@@ -1,10 +1,12 @@
 #include "geometry/distance/distortion.h"
 
+#include "base/decompositions.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 namespace shellmatch {
 namespace {
@@ -23,7 +25,7 @@ TEST(Distortion, OfALinearMapIsThatOfItsRestrictionToTheTangentPlanes) {
   for (std::size_t f = 0; f < sphere.facets.size(); ++f) {
     const Vec<3> n = facet_normal(sphere, static_cast<Index>(f)).normalized();
     const Mat<3> p = Mat<3>::Identity() - n * n.transpose();
-    const Vec<3> singular_values = Eigen::JacobiSVD<Mat<3>>(linear_map * p).singularValues();
+    const Vec<3> singular_values = jacobi_svd(Mat<3>(linear_map * p)).values;
     EXPECT_NEAR(ratios[f], (cofactor * n).norm(), 1e-13);
     EXPECT_NEAR(stretches[f].s1, singular_values[0], 1e-13);
     EXPECT_NEAR(stretches[f].s2, singular_values[1], 1e-13);

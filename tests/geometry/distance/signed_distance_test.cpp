@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 namespace shellmatch {
 namespace {
@@ -26,16 +26,23 @@ double oracle(const Surface<Dim>& surface, Index f, const Vec<Dim>& x) {
     for (int i = 0; i < Dim; ++i)
       if (subset >> i & 1) corners.push_back(surface.vertices[surface.facets[f][i]].template cast<Real>());
     const Vector w = x.template cast<Real>() - corners[0];
-    const auto n = static_cast<Eigen::Index>(corners.size()) - 1;
+    const std::size_t n = corners.size() - 1;
     if (n == 0) {
       best = std::min(best, w.norm());
       continue;
     }
-    Eigen::Matrix<Real, Dim, Eigen::Dynamic> edges(Dim, n);
-    for (Eigen::Index k = 0; k < n; ++k) edges.col(k) = corners[static_cast<std::size_t>(k) + 1] - corners[0];
-    const Eigen::Matrix<Real, Eigen::Dynamic, 1> weights = edges.colPivHouseholderQr().solve(w);
-    if (weights.minCoeff() < 0 || weights.sum() > 1) continue;
-    best = std::min(best, (w - edges * weights).norm());
+    // Least squares by orthogonal projection, the second edge without its part along the first, and refined.
+    const Vector a = corners[1] - corners[0], b = n == 2 ? Vector(corners[2] - corners[0]) : Vector(Vector::Zero());
+    const Vector across = b - a.dot(b) / a.squaredNorm() * a;
+    Real of_a = 0, of_b = 0;
+    for (int step = 0; step < 3; ++step) {
+      const Vector rest = w - of_a * a - of_b * b;
+      const Real more_of_b = n == 2 ? across.dot(rest) / across.squaredNorm() : 0;
+      of_a += a.dot(rest - more_of_b * b) / a.squaredNorm();
+      of_b += more_of_b;
+    }
+    if (std::min(of_a, of_b) < 0 || of_a + of_b > 1) continue;
+    best = std::min(best, (w - of_a * a - of_b * b).norm());
   }
   return static_cast<double>(best);
 }

@@ -12,7 +12,7 @@ namespace shellmatch {
 namespace {
 
 template <int Dim>
-SignedDistance<Dim> built_in(const std::string& name) {
+SignedDistance<Dim> generated_distance(const std::string& name) {
   return SignedDistance<Dim>(std::get<Shape<Dim>>(open_shape("generate:" + name)).surface);
 }
 
@@ -40,7 +40,7 @@ struct AtLevel {
 };
 
 TEST(FieldGrid, IsFineAllAroundTheShapeAndNowhereElse) {
-  const auto d = built_in<2>("ellipse/long");
+  const auto d = generated_distance<2>("ellipse/long");
   FieldGrid<2> own(3);
   for (int l = 3; l < 6; ++l) {
     own.distance.compute(own.grid, d, DistanceMethod::exact);
@@ -75,7 +75,7 @@ TEST(FieldGrid, IsFineAllAroundTheShapeAndNowhereElse) {
 
 template <int Dim>
 double mean_error(const std::string& name, FieldInterpolation interpolation, int level) {
-  const auto d = built_in<Dim>(name);
+  const auto d = generated_distance<Dim>(name);
   const ExperimentOptions o = options(interpolation);
   AtLevel<Dim> at(d, d, o, level);
   const GeometryPair<Dim> geometry = at.fields.geometry(at.grid);
@@ -103,7 +103,7 @@ TEST(ShapeFields, SmoothDistancesAreMuchMoreAccurate) {
 
 // Finest cells of the grid of phi that are nearer to the template than to the reference.
 int n_fine_at_template(FieldInterpolation interpolation, RefineWhere refine) {
-  const auto d1 = built_in<2>("circle"), d2 = built_in<2>("ellipse/long");
+  const auto d1 = generated_distance<2>("circle"), d2 = generated_distance<2>("ellipse/long");
   const ExperimentOptions o = options(interpolation, refine);
   const AtLevel<2> at(d1, d2, o, 6);
   int n = 0;
@@ -121,7 +121,7 @@ TEST(ShapeFields, TheGridOfPhiIsFineAtTheTemplateOnlyIfAskedForOrNeeded) {
 }
 
 TEST(ShapeFields, OwnGridsAreAheadOfThatOfPhiUpToTheFinestLevel) {
-  const auto d = built_in<2>("circle");
+  const auto d = generated_distance<2>("circle");
   ExperimentOptions o = options(FieldInterpolation::smooth);
   o.cascade.max_level = 6;
   for (const int ahead : {0, 2, 9}) {
@@ -141,7 +141,7 @@ TEST(ShapeFields, OwnGridsAreAheadOfThatOfPhiUpToTheFinestLevel) {
 
 template <int Dim>
 void check_lifetimes(const std::string& name) {
-  const auto d = built_in<Dim>(name);
+  const auto d = generated_distance<Dim>(name);
   ExperimentOptions o = options(FieldInterpolation::smooth);
   o.cascade.max_level = 5;
   std::mt19937 random(3);
@@ -180,7 +180,7 @@ TEST(ShapeFields, SmoothFieldsOutliveTheirGrids) {
 
 template <int Dim>
 void check_identical(const std::string& name) {
-  const auto d = built_in<Dim>(name);
+  const auto d = generated_distance<Dim>(name);
   for (const auto interpolation : {FieldInterpolation::smooth, FieldInterpolation::multilinear}) {
     ExperimentOptions o = options(interpolation);
     o.coefficients.levels_ahead = 0;

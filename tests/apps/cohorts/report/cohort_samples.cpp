@@ -1,6 +1,7 @@
 #include "tests/apps/cohorts/report/cohort_samples.h"
 
-#include <Eigen/SVD>
+#include "base/decompositions.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,12 +71,13 @@ ShapeModel model_of(const PointSets& sets) {
   model.weights = Eigen::VectorXd::Constant(n_points, 1.0 / static_cast<double>(n_points));
   model.mean = sets.coordinates.rowwise().mean();
   // All points weigh the same: modes are the left singular vectors, of root mean square 1.
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(sets.coordinates.colwise() - model.mean,
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::MatrixXd centred = sets.coordinates.colwise() - model.mean;
+  const Svd<Eigen::MatrixXd> of_sets = jacobi_svd(Eigen::MatrixXd(centred.transpose() * centred));
   const double root = std::sqrt(static_cast<double>(n_points));
-  const Eigen::Index n_modes = (svd.singularValues().array() > 1e-6 * svd.singularValues()[0]).count();
-  model.modes = root * svd.matrixU().leftCols(n_modes);
-  model.scores = svd.matrixV().leftCols(n_modes) * svd.singularValues().head(n_modes).asDiagonal() / root;
+  const Eigen::Index n_modes = (of_sets.values.array() > 1e-12 * of_sets.values[0]).count();
+  const Eigen::VectorXd singular = of_sets.values.head(n_modes).cwiseSqrt();
+  model.modes = root * centred * of_sets.v.leftCols(n_modes) * singular.cwiseInverse().asDiagonal();
+  model.scores = of_sets.v.leftCols(n_modes) * singular.asDiagonal() / root;
   model.variances = model.scores.colwise().squaredNorm().transpose() / static_cast<double>(n - 1);
   model.total_variance = model.variances.sum();
   return model;
