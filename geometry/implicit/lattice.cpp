@@ -1,6 +1,7 @@
 #include "geometry/implicit/lattice.h"
 
 #include "base/error.h"
+#include "base/large_vector.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 
@@ -93,11 +94,10 @@ class Lattice::Body {
   }
 
   Surface<3> triangulate() {
-    const std::vector<double> values = values_;
     move_close_sites();
     for_each_tetrahedron([this](const std::array<Site, 4>& t) { cut(t); });
     for (const auto& [key, facet] : facets_) surface_.facets.push_back(facet);
-    values_ = values;
+    for (const auto& [site, moved] : moved_) values_[site] = moved.value;
     moved_.clear();
     vertices_.clear();
     facets_.clear();
@@ -120,6 +120,11 @@ class Lattice::Body {
   void keep_all_points() { keeps_all_ = true; }
 
  private:
+  struct Moved {
+    Vec<3> to;
+    double value;  // where it was
+  };
+
   Site site(int i, int j, int k, bool centre) const {
     return 2 * ((static_cast<Site>(k) * n_ + j) * n_ + i) + (centre ? 1 : 0);
   }
@@ -131,7 +136,7 @@ class Lattice::Body {
   }
   Vec<3> position(Site s) const {
     const auto moved = moved_.find(s);
-    return moved == moved_.end() ? rest_position(s) : moved->second;
+    return moved == moved_.end() ? rest_position(s) : moved->second.to;
   }
 
   // A block, with a margin of one cube, has one sign if |f| at its centre exceeds the Lipschitz constant 2
@@ -244,7 +249,7 @@ class Lattice::Body {
           }
         }
         if (complete && std::isfinite(least) && link_is_cut_in_two(around)) {
-          moved_.emplace(s, target);
+          moved_.emplace(s, Moved{target, values_[s]});
           values_[s] = 0;
         }
       }
@@ -309,9 +314,9 @@ class Lattice::Body {
 
   int n_;  // sites along an axis
   double spacing_;
-  std::vector<double> values_;
+  LargeVector<double> values_;
   std::vector<std::array<int, 3>> blocks_;
-  std::unordered_map<Site, Vec<3>> moved_;
+  std::unordered_map<Site, Moved> moved_;
   std::unordered_set<Site> kept_;  // never moved
   bool keeps_all_ = false;
   std::unordered_map<std::uint64_t, Index> vertices_;
