@@ -94,8 +94,9 @@ def tool(name):
     sys.exit(f"fuzz: {name} is missing (Debian: llvm)")
 
 
-def coverage(build, kept):  # build: with SHELLMATCH_COVERAGE
-    """Of each source of the targets: lines covered, lines, branches covered, branches, by the kept corpus of all targets."""
+def coverage(build, kept):
+    """Of each source of the targets: lines covered, lines, branches covered, branches, by the kept corpus of all targets. Needs a build
+    with SHELLMATCH_COVERAGE."""
     raw, merged = build / "kept.profraw", build / "kept.profdata"
     program = build / "fuzz_replay"
     subprocess.run([program, kept], check=True, stdout=subprocess.DEVNULL, cwd=build, env={**os.environ, "LLVM_PROFILE_FILE": str(raw)})
@@ -119,8 +120,8 @@ def found_by_target():
     return found
 
 
-def print_table(build, covered, kept):
-    record, found, all_files = load(build), found_by_target(), coverage(covered, kept)
+def print_table(build, coverage_build, kept):
+    record, found, all_files = load(build), found_by_target(), coverage(coverage_build, kept)
     share = lambda covered, n: f"{100 * covered / n:.1f}" if n else "-"
     rows, n_executions, n_seconds = [], 0, 0
     for target, sources in READERS.items():
