@@ -36,9 +36,6 @@ add_library(shellmatch_quick INTERFACE)
 # With -O1 GCC 12 calls the undefined lanes of its AVX-512 intrinsics uninitialised, not only maybe so (GCC bug 105593).
 target_compile_options(shellmatch_quick INTERFACE $<$<CONFIG:Release>:-O1> $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>)
 
-# With precompiled headers the heap of g++ is large from the start, and by default it is searched for garbage all the time.
-target_compile_options(shellmatch_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
-
 # Headers that nearly all files include are precompiled once for all targets with the same flags. Every source still
 # includes all headers that it uses; builds without precompiled headers check this (preset 'tidy', or
 # CMAKE_DISABLE_PRECOMPILE_HEADERS=ON).
