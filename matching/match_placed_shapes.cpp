@@ -7,6 +7,7 @@
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
+#include "matching/result/own_limb.h"
 #include "matching/result/reference_map.h"
 #include "matching/result/spin_difference.h"
 #include "matching/result/verdict.h"
@@ -254,6 +255,21 @@ class Matching {
     }
   }
 
+  // The vertices of the file, moved onto the template, on their own limbs.
+  std::vector<Vec<Dim>> carried_original(const ReferenceMap<Dim>& carry, const Deformation<Dim>& map) {
+    const std::vector<Vec<Dim>>& as_read = reference_.original.vertices;
+    std::vector<Vec<Dim>> carried = carry.carried(as_read, map, reference_.surface);
+    if constexpr (Dim == 3) {
+      const std::size_t n = lay_on_own_limbs(inputs_.prepared.frame(), inputs_.prepared.alignment.pairs,
+                                             {unbent_, template_.surface}, as_read, carried);
+      if (n > 0)
+        recorder_.note(
+            fmt::format("{:.2g} % of the vertices lay next to another limb than their own, which deformed.ply corrects",
+                        100.0 * static_cast<double>(n) / static_cast<double>(as_read.size())));
+    }
+    return carried;
+  }
+
   // The result without summary and history.
   MatchResult<Dim> make_result(CascadeResult<Dim> cascade) {
     Activity measuring("measuring", 6);
@@ -278,8 +294,7 @@ class Matching {
                              summary_.reference.may_be_part() || summary_.template_shape.may_be_part());
     measuring.next();
     OriginalShape<Dim> moved =
-        deformed_original(reference_.original, carry.carried(reference_.original.vertices, map, reference_.surface),
-                          map, template_distance_);
+        deformed_original(reference_.original, carried_original(carry, map), map, template_distance_);
     moved.space = map.space;
     add_correspondence(moved, template_.original, map.placement);
     add_correspondence_error(moved);

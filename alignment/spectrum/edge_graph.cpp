@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <tuple>
 #include <unordered_set>
 
 namespace shellmatch {
@@ -71,6 +72,23 @@ void EdgeGraph::for_each_within(Index source, double reach, const std::function<
 
 void EdgeGraph::lower_distances(Index source, std::vector<double>& distances) const {
   lower_distances_up_to(no_index, source, distances);
+}
+
+std::vector<std::size_t> EdgeGraph::nearest_of(const std::vector<Index>& sources, double reach) const {
+  using Entry = std::tuple<double, std::size_t, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  std::vector<std::size_t> nearest(n_vertices(), none);
+  for (std::size_t k = 0; k < sources.size(); ++k) open.emplace(0, k, sources[k]);
+  while (!open.empty()) {
+    const auto [distance, source, v] = open.top();
+    open.pop();
+    if (nearest[v] != none) continue;
+    nearest[v] = source;
+    for (std::size_t e = begin_[v]; e < begin_[v + 1]; ++e)
+      if (const double next = distance + edges_[e].length; next < reach && nearest[edges_[e].to] == none)
+        open.emplace(next, source, edges_[e].to);
+  }
+  return nearest;
 }
 
 double EdgeGraph::distance(Index source, Index goal) const {

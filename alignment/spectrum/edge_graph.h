@@ -36,6 +36,10 @@ class EdgeGraph {
   /// Replaces entries of `distances`, which belong to other sources, by distances from `source` where these are
   /// shorter.
   void lower_distances(Index source, std::vector<double>& distances) const;
+  /// For every vertex the place in `sources` of the one that is nearest along edges, the first of several; none where
+  /// all are `reach` away or more.
+  std::vector<std::size_t> nearest_of(const std::vector<Index>& sources, double reach) const;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
  private:
   void lower_distances_up_to(Index goal, Index source, std::vector<double>& distances) const;

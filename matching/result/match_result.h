@@ -49,7 +49,8 @@ struct MatchResult {
   /// The map phi. PointMap(map, Toward::template_shape) carries points of the reference, in the coordinates of the
   /// given shapes; it is `map.apply(x)` unless the matching was solved backward (align.direction).
   Deformation<Dim> map;
-  /// The reference as it was given, with all its vertices moved, in their order, and the additional attributes
+  /// The reference as it was given, with all its vertices moved, in their order, those beside another limb onto their
+  /// own (matching/result/own_limb.h), and the additional attributes
   /// distance_to_template (unit of the shapes), area_ratio (length_ratio in the plane), and those of the nearest point
   /// of the template (matching/result/deformed_shape.h).
   OriginalShape<Dim> deformed;
