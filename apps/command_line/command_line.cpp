@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shellmatch {
@@ -102,8 +104,31 @@ struct Commands {
   Limits limits;  ///< of whichever it is
 };
 
+// What CLI11 2.6 does otherwise: it no longer says that the first line of a command's help is its usage, and breaks the
+// lines of descriptions and of examples anew.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { keep_lines(*this); }
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    const std::string usage = CLI::Formatter::make_usage(app, std::move(name)), label = get_label("Usage");
+    const std::size_t begin = usage.find_first_not_of('\n');
+    if (begin == std::string::npos || usage.find(label) == begin) return usage;
+    return label + ": " + usage.substr(begin);
+  }
+
+ private:
+  template <class Formatter>
+  static void keep_lines(Formatter& formatter) {
+    if constexpr (requires { formatter.enable_footer_formatting(false); }) {
+      formatter.enable_description_formatting(false);
+      formatter.enable_footer_formatting(false);
+    }
+  }
+};
+
 void describe_all(CLI::App& app, Commands& commands) {
   app.footer(help_text::program_footer);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.get_formatter()->column_width(34);
   CLI::Option* version = app.set_version_flag("--version", "shellmatch " SHELLMATCH_VERSION, "print the version");
   app.add_flag_function(

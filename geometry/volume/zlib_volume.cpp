@@ -67,23 +67,46 @@ struct Inflation {
 
 }  // namespace
 
-std::string inflated_beginning(const std::string& path, std::size_t n_bytes) {
-  // Reads files that are not compressed as they are.
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
-  if (!file) throw_input_error("{}: cannot be opened", path);
-  std::string bytes(n_bytes, '\0');
-  const int n = gzread(file.get(), bytes.data(), static_cast<unsigned>(n_bytes));
-  int status = Z_OK;
-  gzerror(file.get(), &status);
-  if (status == Z_DATA_ERROR)
-    throw_input_error("{}: its compressed data are damaged; copy or export the file again", path);
-  bytes.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
-  return bytes;
-}
-
 bool is_gzip_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return file.get() == 0x1f && file.get() == 0x8b;
+}
+
+// gzread of zlib 1.3.2 takes a file whose first block is damaged for an empty one, without an error.
+std::string inflated_beginning(const std::string& path, std::size_t n_bytes) {
+  const bool is_compressed = is_gzip_file(path);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw_input_error("{}: cannot be opened", path);
+  std::string bytes(n_bytes, '\0'), in(is_compressed ? 1 << 16 : 0, '\0');
+  if (!is_compressed) {
+    file.read(bytes.data(), static_cast<std::streamsize>(n_bytes));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+  }
+  Inflation inflation;
+  z_stream& stream = inflation.stream;
+  stream.next_out = reinterpret_cast<unsigned char*>(bytes.data());
+  stream.avail_out = static_cast<unsigned>(n_bytes);
+  bool is_behind_one = false;
+  while (stream.avail_out > 0) {
+    if (stream.avail_in == 0) {
+      file.read(in.data(), static_cast<std::streamsize>(in.size()));
+      stream.next_in = reinterpret_cast<unsigned char*>(in.data());
+      stream.avail_in = static_cast<unsigned>(file.gcount());
+      if (stream.avail_in == 0) break;
+    }
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    // A file may be several streams one after another, and what follows the last is no error.
+    if (status == Z_STREAM_END) {
+      is_behind_one = true;
+      if (inflateReset(&stream) != Z_OK) break;
+    } else if (status != Z_OK && status != Z_BUF_ERROR) {
+      if (is_behind_one) break;
+      throw_input_error("{}: its compressed data are damaged; copy or export the file again", path);
+    }
+  }
+  bytes.resize(n_bytes - stream.avail_out);
+  return bytes;
 }
 
 std::uintmax_t for_each_piece(const std::string& path, std::uintmax_t offset, bool deflated, std::uintmax_t skipped,
