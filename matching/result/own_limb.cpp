@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 namespace shellmatch {
@@ -103,10 +104,13 @@ struct Goal {
 
 // The goals that are no nearer to the centre than `reach` along the surface.
 std::vector<Goal> those_beside(const EdgeGraph& graph, Index centre, double reach, std::vector<Goal> goals) {
+  std::unordered_set<Index> not_reached;
+  for (const Goal& goal : goals) not_reached.insert(goal.vertex);
   graph.for_each_within(centre, reach, [&](Index v, double) {
-    std::erase_if(goals, [&](const Goal& goal) { return goal.vertex == v; });
-    return !goals.empty();
+    not_reached.erase(v);
+    return !not_reached.empty();
   });
+  std::erase_if(goals, [&](const Goal& goal) { return !not_reached.contains(goal.vertex); });
   return goals;
 }
 
