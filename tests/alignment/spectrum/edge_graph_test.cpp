@@ -34,6 +34,24 @@ TEST(EdgeGraph, AnotherComponentIsOutOfReach) {
   for (Index v = 0; v < 2 * n; ++v) EXPECT_EQ(std::isfinite(distances[v]), v < n);
 }
 
+TEST(EdgeGraph, TheNearestOfSeveralIsThatOfTheLeastDistance) {
+  const EdgeGraph graph(test::torus(2, 0.7, 24, 12));
+  const std::vector<Index> sources{3, 100, 177, 40};
+  constexpr double reach = 2;
+  std::vector<std::vector<double>> distances;
+  for (const Index source : sources) distances.push_back(graph.distances_from(source));
+  const std::vector<std::size_t> nearest = graph.nearest_of(sources, reach);
+  std::set<std::size_t> seen;
+  for (Index v = 0; v < static_cast<Index>(graph.n_vertices()); ++v) {
+    double least = reach;
+    for (const auto& from_source : distances) least = std::min(least, from_source[v]);
+    seen.insert(nearest[v]);
+    if (least == reach) EXPECT_EQ(nearest[v], EdgeGraph::none) << v;
+    else EXPECT_NEAR(distances.at(nearest[v])[v], least, 1e-13) << v;
+  }
+  EXPECT_EQ(seen, (std::set<std::size_t>{0, 1, 2, 3, EdgeGraph::none}));
+}
+
 // Two spheres that touch in a vertex of either: neighbours are those of the own sphere.
 TEST(NearestAlong, AreTheLeastDistancesAlongTheSurface) {
   const Surface<3> sphere = test::unit_sphere(2);

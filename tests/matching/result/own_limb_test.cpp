@@ -5,8 +5,10 @@
 #include "geometry/surface/subdivision.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -65,6 +67,31 @@ TEST(OwnLimb, PointsOnTheOtherArmComeBack) {
   EXPECT_LT(h.largest_error(carried), 1e-12);
 }
 
+TEST(OwnLimb, TheNearestVertexIsOnTheOwnArm) {
+  // Not folded in the middle, so that the centres of one arm's facets lie beside vertices of the other one.
+  Hairpin h;
+  const auto shifted = [](const Vec<3>& x) { return folded(x + Vec<3>(0.01, 0, 0)); };
+  h.hairpin = test::mapped<3>(h.bar, shifted);
+  h.pairs = h.identical_pairs();
+  std::vector<Vec<3>> points, carried;
+  for (const auto& facet : h.bar.facets) {
+    if (!std::ranges::all_of(facet, [&](Index v) { return h.faces_other_arm(v); })) continue;
+    points.push_back((h.bar.vertices[facet[0]] + h.bar.vertices[facet[1]] + h.bar.vertices[facet[2]]) / 3);
+    carried.push_back(shifted(points.back()));
+  }
+  const auto n_beside = [&] {
+    return std::ranges::count_if(carried, [&](const Vec<3>& x) {
+      const auto distance = [&](const Vec<3>& y) { return (y - x).squaredNorm(); };
+      return std::ranges::min_element(h.hairpin.vertices, {}, distance)->x() < 0;
+    });
+  };
+  ASSERT_GT(n_beside(), 10);
+  const std::vector<Vec<3>> before = carried;
+  EXPECT_GT(lay_on_own_limbs(h.bar, h.hairpin, h.pairs, points, carried), 10u);
+  EXPECT_EQ(n_beside(), 0);
+  for (std::size_t i = 0; i < carried.size(); ++i) EXPECT_LT((carried[i] - before[i]).norm(), 0.02);
+}
+
 TEST(OwnLimb, PointsThatLieByTheirOwnArmStay) {
   const Hairpin h;
   for (const double step : {0.0, 0.4 * gap, -3 * gap}) {
@@ -93,6 +120,26 @@ TEST(OwnLimb, AMapThatDoesNotFollowThePairsStays) {
   for (SurfacePair& pair : h.pairs) pair.on_template.x() = -pair.on_template.x();
   std::vector<Vec<3>> carried = h.displaced(0.9 * gap);
   EXPECT_EQ(h.lay(carried), 0u);
+}
+
+// In the user's coordinates, whichever shape is deformed and moved by the pose.
+TEST(OwnLimb, PoseAndPlacementAreThoseOfEitherDirection) {
+  const Hairpin h;
+  MapFrame<3> frame{{0.2, {0.5, 0.4, 0.6}}, {1.1, {3, -2, 1}}};
+  frame.pose.rotation = Eigen::AngleAxisd(2, Vec<3>(1, 2, 2) / 3).toRotationMatrix();
+  const Similarity<3> none;
+  for (const bool is_backward : {false, true}) {
+    frame.is_backward = is_backward;
+    std::vector<Landmark<3>> pairs;
+    for (const SurfacePair& pair : h.pairs)
+      pairs.push_back(
+          {"", is_backward ? pair.on_template : pair.on_reference, is_backward ? pair.on_reference : pair.on_template});
+    const Surface<3> reference = transformed(h.bar, is_backward ? none : frame.pose, frame.placement),
+                     hairpin = transformed(h.hairpin, is_backward ? frame.pose : none, frame.placement);
+    std::vector<Vec<3>> carried = h.displaced(0.9 * gap);
+    EXPECT_GT(lay_on_own_limbs(frame, pairs, {reference, hairpin}, h.bar.vertices, carried), 20u);
+    EXPECT_LT(h.largest_error(carried), 1e-12);
+  }
 }
 
 }  // namespace
