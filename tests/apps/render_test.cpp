@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -197,6 +198,30 @@ TEST_F(Render, RefusesAnotherReference) {
   const ProgramResult moved = run_program({"render", other / "o", "-o", other / "x.png"});
   EXPECT_EQ(moved.exit_code, 2);
   EXPECT_TRUE(has(moved.err, "a.csv: has changed since")) << moved.err;
+}
+
+// Vertices that were laid on their own limbs lie beside their images (matching/result/own_limb.h).
+TEST_F(Render, TakesSomeVerticesThatLieBesideTheirImages) {
+  const TemporaryFolder other;
+  run_program({"generate", "sphere", "-o", other / "a.obj"});
+  run_program({"match", other / "a.obj", "generate:ellipsoid/long", "-o", other / "o", "--levels", "3:3", "--align",
+               "none", "--set", "pictures=none", "-q"});
+  const std::string whole = contents_of(other / "a.obj");
+  const auto rendered = [&](std::size_t every, double factor) {
+    std::istringstream lines(whole);
+    std::string changed, line;
+    for (std::size_t v = 0; std::getline(lines, line);) {
+      double x = 0, y = 0, z = 0;
+      if (std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) == 3 && v++ % every == 0)
+        line = fmt::format("v {} {} {}", factor * x, y, z);
+      changed += line + '\n';
+    }
+    put(other / "a.obj", changed);
+    return run_program({"render", other / "o", "-o", other / "x.png", "--size", "64", "--force"});
+  };
+  EXPECT_EQ(rendered(2, 1.05).exit_code, 0);
+  for (const auto& [every, factor] : {std::pair{1, 1.05}, std::pair{2, 3.0}})
+    EXPECT_TRUE(has(rendered(every, factor).err, "a.obj: has changed since")) << every;
 }
 
 }  // namespace
