@@ -49,12 +49,22 @@ Index nearest_corner(const Surface<3>& surface, Index facet, const Vec<3>& x) {
                                    [&](Index v) { return (surface.vertices[v] - x).squaredNorm(); });
 }
 
-// Of each point the corner of the nearest facet that is nearest to it.
-std::vector<Index> nearest_corners(const Surface<3>& surface, const std::vector<Vec<3>>& points) {
-  std::vector<Index> corners = nearest_facets(FacetTree<3>(surface), points);
-  for (std::size_t i = 0; i < points.size(); ++i) corners[i] = nearest_corner(surface, corners[i], points[i]);
-  return corners;
-}
+/// A surface whose nearest facets are asked for several times.
+class SearchedSurface {
+ public:
+  explicit SearchedSurface(const Surface<3>& surface) : surface_(surface), tree_(surface) {}
+
+  // Of each point the corner of the nearest facet that is nearest to it.
+  std::vector<Index> nearest_corners(const std::vector<Vec<3>>& points) const {
+    std::vector<Index> corners = nearest_facets(tree_, points);
+    for (std::size_t i = 0; i < points.size(); ++i) corners[i] = nearest_corner(surface_, corners[i], points[i]);
+    return corners;
+  }
+
+ private:
+  const Surface<3>& surface_;
+  FacetTree<3> tree_;
+};
 
 /// What the template has near one vertex along its surface.
 class OwnLimb {
@@ -96,22 +106,29 @@ class OwnLimb {
   std::optional<FacetTree<3>> tree_;
 };
 
-/// A carried point, and vertices of the template that are next to it.
-struct Goal {
-  std::size_t point;
-  Index vertex;
+/// The facet's corner and the vertex of the template that are nearest to a carried point.
+struct Neighbours {
+  Index corner, vertex;
 };
 
-// The goals that are no nearer to the centre than `reach` along the surface.
-std::vector<Goal> those_beside(const EdgeGraph& graph, Index centre, double reach, std::vector<Goal> goals) {
+// Of the points, those with a neighbour that is no nearer to the centre than `reach` along the surface.
+std::vector<std::size_t> those_beside(const EdgeGraph& graph, Index centre, double reach,
+                                      std::vector<std::size_t> points, const std::vector<Neighbours>& neighbours) {
   std::unordered_set<Index> not_reached;
-  for (const Goal& goal : goals) not_reached.insert(goal.vertex);
+  for (const std::size_t i : points) not_reached.insert({neighbours[i].corner, neighbours[i].vertex});
   graph.for_each_within(centre, reach, [&](Index v, double) {
     not_reached.erase(v);
     return !not_reached.empty();
   });
-  std::erase_if(goals, [&](const Goal& goal) { return !not_reached.contains(goal.vertex); });
-  return goals;
+  std::erase_if(points, [&](std::size_t i) {
+    return !not_reached.contains(neighbours[i].corner) && !not_reached.contains(neighbours[i].vertex);
+  });
+  return points;
+}
+
+std::size_t total_size(const std::vector<std::vector<std::size_t>>& lists) {
+  return std::accumulate(lists.begin(), lists.end(), std::size_t{0},
+                         [](std::size_t n, const auto& list) { return n + list.size(); });
 }
 
 }  // namespace
@@ -124,43 +141,40 @@ std::size_t lay_on_own_limbs(const Surface<3>& reference, const Surface<3>& temp
   for (const SurfacePair& pair : pairs) here.push_back(pair.on_reference), there.push_back(pair.on_template);
   const double reference_unit = std::sqrt(surface_measure(reference)),
                unit = std::sqrt(surface_measure(template_shape));
+  const SearchedSurface of_reference(reference), of_template(template_shape);
   const std::vector<std::size_t> nearest_pair =
-      EdgeGraph(reference).nearest_of(nearest_corners(reference, here), near_pair * reference_unit);
-  const std::vector<Index> starts = nearest_corners(reference, points),
-                           centres = nearest_corners(template_shape, there),
-                           corners = nearest_corners(template_shape, carried);
+      EdgeGraph(reference).nearest_of(of_reference.nearest_corners(here), near_pair * reference_unit);
+  const std::vector<Index> starts = of_reference.nearest_corners(points), centres = of_template.nearest_corners(there),
+                           corners = of_template.nearest_corners(carried);
   const VertexTree vertices(template_shape);
-  std::vector<Index> nearest_vertices(carried.size());
+  std::vector<Neighbours> neighbours(carried.size());
   parallel_for(
-      carried.size(), [&](std::size_t i) { nearest_vertices[i] = vertices.nearest(carried[i]); }, 64);
-  std::vector<std::vector<Goal>> goals(pairs.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (starts[i] == no_index || corners[i] == no_index || nearest_pair[starts[i]] == EdgeGraph::none) continue;
-    std::vector<Goal>& of_pair = goals[nearest_pair[starts[i]]];
-    of_pair.push_back({i, corners[i]});
-    if (nearest_vertices[i] != corners[i]) of_pair.push_back({i, nearest_vertices[i]});
-  }
-  std::size_t n_known = 0, n_beside = 0;
-  for (const std::vector<Goal>& of_pair : goals) n_known += of_pair.size();
+      carried.size(),
+      [&](std::size_t i) {
+        neighbours[i] = {corners[i], vertices.nearest(carried[i])};
+      },
+      64);
+  std::vector<std::vector<std::size_t>> of_pair(pairs.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (starts[i] != no_index && corners[i] != no_index && nearest_pair[starts[i]] != EdgeGraph::none)
+      of_pair[nearest_pair[starts[i]]].push_back(i);
+  const auto n_known = static_cast<double>(total_size(of_pair));
   const EdgeGraph graph(template_shape);
   const double reach = other_limb * unit;
   parallel_for(
       pairs.size(),
       [&](std::size_t k) {
-        if (!goals[k].empty()) goals[k] = those_beside(graph, centres[k], reach, std::move(goals[k]));
+        if (!of_pair[k].empty()) of_pair[k] = those_beside(graph, centres[k], reach, std::move(of_pair[k]), neighbours);
       },
       16);
-  for (const std::vector<Goal>& of_pair : goals) n_beside += of_pair.size();
-  if (static_cast<double>(n_beside) > most_beside * static_cast<double>(n_known)) return 0;
+  if (static_cast<double>(total_size(of_pair)) > most_beside * n_known) return 0;
   std::vector<std::size_t> n_moved(pairs.size(), 0);
   parallel_for(
       pairs.size(),
       [&](std::size_t k) {
-        if (goals[k].empty()) return;
+        if (of_pair[k].empty()) return;
         const OwnLimb limb(template_shape, graph, centres[k], reach);
-        for (std::size_t g = 0; g < goals[k].size(); ++g) {
-          const std::size_t i = goals[k][g].point;
-          if (g > 0 && goals[k][g - 1].point == i) continue;  // done
+        for (const std::size_t i : of_pair[k]) {
           const std::optional<Vec<3>> nearest = limb.nearest(carried[i]);
           if (!nearest || (*nearest - carried[i]).norm() > touching * unit) continue;
           carried[i] = limb.moved_to_vertex(limb.has(corners[i]) ? carried[i] : *nearest, vertices);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 namespace shellmatch {
 namespace {
@@ -73,14 +74,14 @@ TEST(OwnLimb, TheNearestVertexIsOnTheOwnArm) {
   const auto shifted = [](const Vec<3>& x) { return folded(x + Vec<3>(0.01, 0, 0)); };
   h.hairpin = test::mapped<3>(h.bar, shifted);
   h.pairs = h.identical_pairs();
-  std::vector<Vec<3>> points, carried;
+  std::vector<Vec<3>> points = h.bar.vertices, carried = h.hairpin.vertices;
   for (const auto& facet : h.bar.facets) {
     if (!std::ranges::all_of(facet, [&](Index v) { return h.faces_other_arm(v); })) continue;
     points.push_back((h.bar.vertices[facet[0]] + h.bar.vertices[facet[1]] + h.bar.vertices[facet[2]]) / 3);
     carried.push_back(shifted(points.back()));
   }
   const auto n_beside = [&] {
-    return std::ranges::count_if(carried, [&](const Vec<3>& x) {
+    return std::ranges::count_if(carried | std::views::drop(h.bar.vertices.size()), [&](const Vec<3>& x) {
       const auto distance = [&](const Vec<3>& y) { return (y - x).squaredNorm(); };
       return std::ranges::min_element(h.hairpin.vertices, {}, distance)->x() < 0;
     });
