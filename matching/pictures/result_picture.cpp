@@ -47,8 +47,8 @@ std::vector<double> values_of(const OriginalShape<Dim>& shape, const std::string
   return found == shape.attributes.end() ? std::vector<double>() : found->values;
 }
 
-// Of some vertices; files of results have single precision. In space some may have been laid on their own limbs
-// (matching/result/own_limb.h), which are near.
+// Of some vertices; files of results have single precision. In space up to a third may have been laid on their own
+// limbs (matching/result/own_limb.h), which are near.
 template <int Dim>
 bool goes_to(const Deformation<Dim>& map, const std::vector<Vec<Dim>>& from, const OriginalShape<Dim>& to) {
   const PointMap<Dim> moved(map, Toward::template_shape);
@@ -63,7 +63,7 @@ bool goes_to(const Deformation<Dim>& map, const std::vector<Vec<Dim>>& from, con
     ++n;
     n_exact += distance <= exact;
   }
-  return 3 * n_exact >= n;
+  return 2 * n_exact >= n;
 }
 
 // Where the other shape has no data nothing is measured.
