@@ -65,7 +65,7 @@ Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matche
   return rotation_between(from, to);
 }
 
-MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
+MapScore score_samples(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
   const auto k = static_cast<int>(c.rows());
   const auto pairs = pairs_of(matches);
   const Embedding embedding = spectral_embedding(pair, {end_points(pair, pairs, 0, k), end_points(pair, pairs, 1, k)},
@@ -101,6 +101,11 @@ MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, c
   from.colwise() -= from.rowwise().mean().eval();
   to.colwise() -= to.rowwise().mean().eval();
   score.pose = std::sqrt((rotation_between(from, to) * from - to).squaredNorm() / n);
+  return score;
+}
+
+MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
+  MapScore score = score_samples(pair, matches, c);
   if (pair.landmarks.empty()) return score;
   score.landmarks = quantile(landmark_distances(pair, matches), 0.5);
   score.landmark_noise = landmark_noise(pair, matches);

@@ -31,6 +31,9 @@ double landmark_trust(double total_score, double landmark_noise);
 
 MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c);
 
+/// The same without landmarks, of any samples. \pre at least one
+MapScore score_samples(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c);
+
 /// The rotation R, det R = 1, that minimises the sum of |R x_1 + t - x_2|^2 with the best t over all pairs, for
 /// coordinates smoothed to k eigenfunctions. W. Kabsch, Acta Crystallographica A 32, 1976.
 Mat<3> proper_rotation(const ShapePairSpectra& pair, const VertexMatches& matches, int k);

@@ -284,7 +284,33 @@ std::vector<MapCandidate> refined_maps(const ShapePairSpectra& pair, CoarseMaps 
   return candidates;
 }
 
+/// The matches of `one` where those of `other` are elsewhere, farther than 0.1 roots of the area.
+VertexMatches matches_apart(const ShapePairSpectra& pair, const VertexMatches& one, const VertexMatches& other) {
+  constexpr double apart = 0.1;
+  VertexMatches chosen;
+  for (int s = 0; s < 2; ++s) {
+    const auto& vertices = pair.shapes[1 - s]->surface.vertices;
+    for (std::size_t i = 0; i < one.to[s].size(); ++i) {
+      if ((vertices[one.to[s][i]] - vertices[other.to[s][i]]).norm() <= apart) continue;
+      chosen.from[s].push_back(one.from[s][i]);
+      chosen.to[s].push_back(one.to[s][i]);
+    }
+  }
+  return chosen;
+}
+
 }  // namespace
+
+double margin_between(const ShapePairSpectra& pair, const MapCandidate& first, const MapCandidate& other) {
+  const double overall = other.order() / first.order();
+  const VertexMatches of_first = matches_apart(pair, first.matches, other.matches),
+                      of_other = matches_apart(pair, other.matches, first.matches);
+  if (of_first.from[0].empty() && of_first.from[1].empty()) return overall;
+  const auto order = [&](const MapCandidate& map, const VertexMatches& apart) {
+    return map.order_of(score_samples(pair, apart, map.c));
+  };
+  return std::sqrt(overall * order(other, of_other) / order(first, of_first));
+}
 
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b) {
   return has_no_axes(a.values) || has_no_axes(b.values);

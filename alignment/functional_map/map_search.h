@@ -25,12 +25,21 @@ struct MapCandidate {
   double total() const { return 0.5 * (coarse_score.total() + score.total()); }
   /// The lower, the better: what tells maps apart, beyond the noise of sampling, and the more, the farther landmarks
   /// are.
-  double order() const { return (1e-3 + score.distinction()) * (1 + score.landmarks / std::max(total(), 0.1)); }
+  double order() const { return order_of(score); }
+  /// The same with what tells maps apart on some samples alone.
+  double order_of(const MapScore& of_samples) const {
+    return (1e-3 + of_samples.distinction()) * (1 + score.landmarks / std::max(total(), 0.1));
+  }
 };
 
 /// Callers choose among maps whose order() is at most this many times the least, without landmarks: others need no
 /// second refinement and no pairs.
 inline constexpr double eligible_order = 1.2;
+
+/// By which factor `other` is worse than `first`: the geometric mean of the ratio of their orders over all samples and
+/// of that over the samples whose images differ by more than 0.1 roots of the area. Maps that differ by one limb agree
+/// elsewhere, which hides in the former how much worse one of them is. \pre both have the same samples
+double margin_between(const ShapePairSpectra& pair, const MapCandidate& first, const MapCandidate& other);
 
 /// Whether spectra leave open by which rotation the surfaces correspond: has_no_axes() of either.
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);

@@ -26,7 +26,8 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
                                          const std::vector<std::pair<Index, Index>>& landmarks,
                                          const AlignmentOptions& options, bool is_mirrored) {
   const ShapePairSpectra pair = make_shape_pair(reference, template_shape, landmarks);
-  const std::vector<MapCandidate> maps = search_maps(pair, options);
+  std::vector<MapCandidate> maps = search_maps(pair, options);
+  std::ranges::stable_sort(maps, {}, [](const MapCandidate& m) { return (m.is_identity ? 1 / tie : 1) * m.order(); });
   std::vector<PairCandidate> candidates(maps.size());
   parallel_for(
       maps.size(),
@@ -34,6 +35,7 @@ std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const S
         PairCandidate& candidate = candidates[i];
         candidate.score = maps[i].total();
         candidate.order = maps[i].order();
+        if (i > 0) candidate.margin = margin_between(pair, maps[0], maps[i]);
         candidate.coarse_score = maps[i].coarse_score;
         candidate.score_parts = maps[i].score;
         candidate.n_landmarks = pair.landmarks.size();
@@ -137,12 +139,11 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
   };
   std::stable_sort(result.candidates.begin(), result.candidates.end(),
                    [&](const PairCandidate& a, const PairCandidate& b) { return key(a) < key(b); });
-  double runner_up = std::numeric_limits<double>::infinity();
+  result.is_ambiguous = are_ambiguous(*shapes[0], *shapes[1]);
+  result.margin = result.is_ambiguous ? 1 : std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < result.candidates.size(); ++i)
     if (result.candidates[i].is_mirrored == result.candidates[0].is_mirrored)
-      runner_up = std::min(runner_up, result.candidates[i].order);
-  result.is_ambiguous = are_ambiguous(*shapes[0], *shapes[1]);
-  result.margin = result.is_ambiguous ? 1 : runner_up / result.candidates[0].order;
+      result.margin = std::min(result.margin, result.candidates[i].margin);
   project(reference, result.reference, &CorrespondingPoints::on_reference, result.candidates);
   project(template_surface, result.template_surface, &CorrespondingPoints::on_template, result.candidates);
   return result;

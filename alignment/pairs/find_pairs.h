@@ -17,6 +17,7 @@ namespace shellmatch {
 struct PairCandidate {
   double score = 0;             ///< MapScore::total(), the mean of both resolutions; 0 is best: how nearly isometric
   double order = 0;             ///< MapCandidate::order(): less is better, among candidates of the same surfaces
+  double margin = 1;            ///< margin_between() the first of the same handedness and this one
   std::size_t n_landmarks = 0;  ///< that took part: neither double nor on a component left out, and four at least
   MapScore coarse_score, score_parts;
   /// Where landmarks tell: the median of landmark_distances() before they were among the pairs, in roots of the area.
@@ -35,8 +36,7 @@ struct AutomaticPairs {
   PreparedSurface reference, template_surface;
   std::vector<PairCandidate>
       candidates;     ///< at least one; the chosen one first, ascending by order, the mirrored ones behind equals
-  double margin = 0;  ///< order of the best other of the same handedness over that of the first; infinite without, 1
-                      ///< where ambiguous
+  double margin = 0;  ///< the least of the others of the same handedness; infinite without, 1 where ambiguous
   bool is_ambiguous = false;                        ///< spectra are_ambiguous()
   std::shared_ptr<const SpectralShape> spectra[2];  ///< of the prepared surfaces
 

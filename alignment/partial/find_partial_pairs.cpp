@@ -228,7 +228,16 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
             refine_partial_map(part, whole, queries, std::move(images), searched, partial_schedules[k % n_schedules]);
       },
       1);
-  for (const PartialMap& map : distinct(std::move(maps), whole)) {
+  maps = distinct(std::move(maps), whole);
+  const auto landmark_distance = [&](const PartialMap& map) {
+    return median_of(landmarks.size(), [&](std::size_t i) {
+      const Index image = map.images[nearest_vertex(result.part.surface, landmarks[i].on_reference)];
+      return (result.whole.surface.vertices[image] - landmarks[i].on_template).norm() / unit;
+    });
+  };
+  if (landmarks.size() >= n_least_landmarks) std::ranges::stable_sort(maps, {}, landmark_distance);
+  result.margin = std::numeric_limits<double>::infinity();
+  for (const PartialMap& map : maps) {
     PartialCandidate& candidate = result.candidates.emplace_back(map.total(), map.order());
     candidate.map = map.images;
     candidate.pairs = confident_pairs_of(part, whole, map, options);
@@ -236,17 +245,9 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
       pair.on_reference *= unit;
       pair.on_template *= unit;
     }
-    if (landmarks.size() >= n_least_landmarks)
-      candidate.landmark_distance = median_of(landmarks.size(), [&](std::size_t i) {
-        const Index image = map.images[nearest_vertex(result.part.surface, landmarks[i].on_reference)];
-        return (result.whole.surface.vertices[image] - landmarks[i].on_template).norm() / unit;
-      });
+    if (landmarks.size() >= n_least_landmarks) candidate.landmark_distance = landmark_distance(map);
+    if (&map != &maps[0]) result.margin = std::min(result.margin, margin_between(part, whole, maps[0], map, same));
   }
-  if (landmarks.size() >= n_least_landmarks)
-    std::ranges::stable_sort(result.candidates, {}, [](const PartialCandidate& c) { return *c.landmark_distance; });
-  result.margin = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < result.candidates.size(); ++i)
-    result.margin = std::min(result.margin, result.candidates[i].order / result.candidates[0].order);
   return result;
 }
 

@@ -26,7 +26,7 @@ struct PartialPairs {
   PreparedSurface part, whole;
   std::vector<PartialCandidate>
       candidates;     ///< at least one, ascending by order; where landmarks tell, by their distance
-  double margin = 0;  ///< order of the second over that of the first; infinite without
+  double margin = 0;  ///< the least margin_between() the first and others; infinite without
 };
 
 /// Pairs between a surface with borders and one of which it is a part, both in the same unit of length.

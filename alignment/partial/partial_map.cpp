@@ -91,7 +91,9 @@ void embed(const PartialShape& part, const PartialShape& whole, const std::vecto
   map.on_whole = features_of(whole, own, own * whole.coefficients.topRows(k));
 }
 
-void score(const PartialShape& part, const PartialShape& whole, Eigen::Index k, PartialMap& map) {
+/// Over the vertices v of the part for which is_counted(v).
+void score(const PartialShape& part, const PartialShape& whole, const auto& is_counted, PartialMap& map) {
+  const Eigen::Index k = whole.spectrum.values.size();
   Rows3 mapped(static_cast<Eigen::Index>(part.n_vertices()), 3),
       coordinates(static_cast<Eigen::Index>(whole.n_vertices()), 3);
   for (std::size_t v = 0; v < part.n_vertices(); ++v)
@@ -101,7 +103,9 @@ void score(const PartialShape& part, const PartialShape& whole, Eigen::Index k, 
   const Rows3 through = vertex_normals(part.surface.facets, mapped),
               normals = vertex_normals(whole.surface.facets, coordinates);
   double difference = 0, squares = 0, weights = 0;
+  map.spin = map.orientation = 0;
   for (std::size_t v = 0; v < part.n_vertices(); ++v) {
+    if (!is_counted(v)) continue;
     const auto at = static_cast<Eigen::Index>(v);
     const Index image = map.images[v];
     const double weight = part.mass[at] * std::clamp(part.to_border[v] / part_spin_radius, 0.125, 1.0);
@@ -131,8 +135,20 @@ PartialMap refine_partial_map(const PartialShape& part, const PartialShape& whol
   }
   embed(part, whole, queries, images, n_functions, schedule.share, map);
   map.images = nearest_features(map.on_whole, map.on_part);
-  score(part, whole, n_functions, map);
+  score(
+      part, whole, [](std::size_t) { return true; }, map);
   return map;
+}
+
+double margin_between(const PartialShape& part, const PartialShape& whole, const PartialMap& first,
+                      const PartialMap& other, double apart) {
+  const auto is_apart = [&](std::size_t v) {
+    return (whole.surface.vertices[first.images[v]] - whole.surface.vertices[other.images[v]]).norm() > apart;
+  };
+  PartialMap of_first = first, of_other = other;
+  score(part, whole, is_apart, of_first);
+  score(part, whole, is_apart, of_other);
+  return std::sqrt(other.order() / first.order() * of_other.order() / of_first.order());
 }
 
 }  // namespace shellmatch

@@ -50,6 +50,10 @@ struct PartialMap {
   double order() const { return (functions + orientation) * spin; }
 };
 
+/// As margin_between() of maps between wholes; the maps differ where images are farther apart than `apart`.
+double margin_between(const PartialShape& part, const PartialShape& whole, const PartialMap& first,
+                      const PartialMap& other, double apart);
+
 /// How a refinement goes.
 struct PartialSchedule {
   int first;     ///< functions of the whole at first

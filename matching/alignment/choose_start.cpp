@@ -128,8 +128,7 @@ class Choosing {
     const Start<Dim>& first = starts_[choice.index];
     std::vector<std::size_t> close;
     for (const std::size_t i : usable_)
-      if (i == choice.index ||
-          (starts_[i].order < clear_margin * first.order && starts_[i].is_mirrored == first.is_mirrored))
+      if (i == choice.index || (starts_[i].margin < clear_margin && starts_[i].is_mirrored == first.is_mirrored))
         close.push_back(i);
     if (close.size() == 1) return;
     choice.index = *std::ranges::min_element(close, {}, [&](auto i) { return starts_[i].order * starts_[i].score; });

@@ -24,8 +24,9 @@ struct Start {
   /// The last of alignment.pairs, which contradict those around them: they make the energy of a wrong map's trial
   /// higher, and the one that is chosen is used without them.
   std::size_t n_contradicting = 0;
-  double score = 0;  ///< of the pairs, 0 is best: how nearly isometric
-  double order = 0;  ///< of surfaces, PairCandidate::order: less is better
+  double score = 0;   ///< of the pairs, 0 is best: how nearly isometric
+  double order = 0;   ///< of surfaces, PairCandidate::order: less is better
+  double margin = 1;  ///< of surfaces, PairCandidate::margin: by which factor it is worse than the first
   /// Where landmarks tell: the median distance from where the pairs map them, in roots of the area.
   std::optional<double> landmark_distance = {};
   bool is_identity = false;  ///< began with the shapes as they lie

@@ -156,6 +156,7 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
     search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score, n_telling), options, true));
     search.starts.back().landmark_distance = candidate.landmark_distance;
     search.starts.back().order = candidate.order;
+    search.starts.back().margin = candidate.margin;
     if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
   }
   return search;

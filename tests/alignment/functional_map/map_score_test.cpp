@@ -1,5 +1,6 @@
 // Functional maps, rotations and scores of maps that are known.
-#include "alignment/functional_map/map_score.h"
+#include "alignment/functional_map/map_search.h"
+#include "geometry/distance/surface_distance.h"
 #include "tests/geometry/surface/test_surfaces.h"
 
 #include <Eigen/Cholesky>
@@ -267,6 +268,33 @@ TEST(LandmarkTrust, IsFullForWhatTheMapsErrorsExplain) {
   EXPECT_GT(landmark_trust(0.5, 0.026), 0.7);
   EXPECT_EQ(error_growth(0.5), 1);
   EXPECT_NEAR(error_growth(1.2), 8, 1e-12);
+}
+
+TEST_F(KnownMap, MarginsAreJudgedWhereMapsDiffer) {
+  // The images of samples below a share of the height are those of other samples.
+  const auto wrong_below = [&](double share, std::size_t shift) {
+    MapCandidate map;
+    map.matches = truth_;
+    for (int s = 0; s < 2; ++s) {
+      std::vector<double> heights;
+      for (const Index v : truth_.from[s]) heights.push_back(shape_1_->surface.vertices[v][0]);
+      const double limit = quantile(heights, share);
+      const std::size_t n = heights.size();
+      for (std::size_t i = 0; i < n; ++i)
+        if (heights[i] <= limit) map.matches.to[s][i] = truth_.to[s][(i + shift) % n];
+    }
+    map.c = functional_map(pair_, truth_, 40);
+    map.coarse_score = map.score = score_map(pair_, map.matches, map.c);
+    return map;
+  };
+  const MapCandidate first = wrong_below(0.5, 100), worse = wrong_below(0.6, 100), other = wrong_below(0.5, 200);
+  const double overall = worse.order() / first.order();
+  EXPECT_LT(overall, 2);
+  EXPECT_GT(margin_between(pair_, first, worse), 5 * overall) << "right and wrong where they differ";
+  EXPECT_NEAR(margin_between(pair_, first, worse) * margin_between(pair_, worse, first), 1, 1e-9);
+  EXPECT_EQ(margin_between(pair_, first, first), 1);
+  // Wrong alike where they differ, and right elsewhere.
+  EXPECT_NEAR(margin_between(pair_, first, other), other.order() / first.order(), 0.1);
 }
 
 TEST_F(KnownMap, EveryPartOfTheScoreRisesForAWrongMap) {

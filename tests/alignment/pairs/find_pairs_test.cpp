@@ -132,11 +132,12 @@ TEST(FindPairs, AMirrorImageDoesNotLowerTheMargin) {
   const AutomaticPairs found = find_pairs(shape, turned(shape), options);
   double same = std::numeric_limits<double>::infinity(), other = same;
   for (std::size_t i = 1; i < found.candidates.size(); ++i) {
-    double& least = found.candidates[i].is_mirrored == found.candidates[0].is_mirrored ? same : other;
-    least = std::min(least, found.candidates[i].order / found.candidates[0].order);
+    const PairCandidate& c = found.candidates[i];
+    if (c.is_mirrored == found.candidates[0].is_mirrored) same = std::min(same, c.margin);
+    else other = std::min(other, c.order / found.candidates[0].order);
   }
   EXPECT_LT(other, same);
-  EXPECT_NEAR(found.margin, same, 1e-12 * same);
+  EXPECT_EQ(found.margin, same);
   for (const PairCandidate& c : found.candidates)
     EXPECT_EQ(c.score, 0.5 * (c.coarse_score.total() + c.score_parts.total()));
 }

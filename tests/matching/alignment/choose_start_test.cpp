@@ -78,7 +78,9 @@ StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>
 
 TEST(ChooseStart, OfSurfacesTheFirstIsChosenWithoutTrials) {
   const ShapePair<3> hands = generated<3>("hand", "hand/bent");
-  const Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.33), right = hand_start(hands, {}, 0.33);
+  const Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.33);
+  Start<3> right = hand_start(hands, {}, 0.33);
+  right.margin = 1.2;  // beside the other
   const StartChoice clear = choice_of<3>(hands, {right, wrong}, 1.3, quick());
   EXPECT_EQ(clear.index, 0u);
   EXPECT_EQ(clear.n_tried, 0u);
@@ -98,7 +100,7 @@ TEST(ChooseStart, WhereDescriptorsLeaveItOpenTheLikenessAfterATrialDecides) {
   EXPECT_EQ(choice_of<3>(hands, {right, wrong}, 1.05, quick()).index, 0u);
   EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick()).n_tried, 2u);
   EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick(), false, false, true).index, 0u) << "not of parts";
-  right.order = 0.24;  // not among the close ones
+  right.margin = 1.2;  // not among the close ones
   EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.05, quick()).index, 0u);
   EXPECT_EQ(choice_of<3>(hands, {wrong, right}, 1.2, quick()).index, 0u);
 }

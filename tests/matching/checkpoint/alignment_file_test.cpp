@@ -41,6 +41,7 @@ StartSearch<Dim> search() {
     start.n_contradicting = 1;
     start.score = 0.2;
     start.order = 0.3;
+    start.margin = 1.1;
     start.is_identity = i == 0;
     start.is_mirrored = i == 1;
   }
@@ -74,6 +75,7 @@ void expect_same(const StartSearch<Dim>& a, const StartSearch<Dim>& b) {
     EXPECT_EQ(s.n_contradicting, t.n_contradicting);
     EXPECT_EQ(s.score, t.score);
     EXPECT_EQ(s.order, t.order);
+    EXPECT_EQ(s.margin, t.margin);
     EXPECT_EQ(s.landmark_distance, t.landmark_distance);
     EXPECT_EQ(s.is_identity, t.is_identity);
     EXPECT_EQ(s.is_mirrored, t.is_mirrored);
