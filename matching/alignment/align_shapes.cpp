@@ -77,14 +77,29 @@ bool pairs_stay(Outcome<3>& pairs, Outcome<3>& poses, const AlignOptions& option
   return posed.template_distance > not_reached || is_more_alike(bent, posed);
 }
 
+// A part that was cut off where it is thin has small gaps, and no map of wholes.
+bool may_be_cut(const ShapePair<3>& shapes) {
+  return std::max(shapes.reference.invented_share, shapes.template_shape.invented_share) > least_of_cut;
+}
+
+bool is_clear(Outcome<3>& outcome) {
+  return outcome.choice.is_usable && !outcome.choice.is_doubtful && outcome.best().score <= nearly_isometric &&
+         outcome.choice.margin >= (outcome.search.is_of_part ? clear_margin_of_part : clear_margin);
+}
+
 template <int Dim>
 Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<Landmark<Dim>>& landmarks,
                                const AlignOptions& options, Trials<Dim>& trials, AlignmentFindings<Dim>& findings) {
   Outcome<Dim> outcome = choice_among(search_by_pairs(shapes, landmarks, options, findings), options, trials);
   if constexpr (Dim == 3) {
+    if (!outcome.search.is_of_part && outcome.search.n_landmarks == 0 && may_be_cut(shapes) && !is_clear(outcome)) {
+      const auto search = [&] { return search_partial_starts(shapes, landmarks, options); };
+      Outcome<3> of_part = choice_among(findings.by_pairs.next(search), options, trials);
+      if (is_clear(of_part)) return of_part;
+    }
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they
     // may not.
-    if (!shapes.one_is_part() && outcome.choice.is_doubtful && outcome.best().is_usable() &&
+    if (!outcome.search.is_of_part && outcome.choice.is_doubtful && outcome.best().is_usable() &&
         outcome.best().score <= options.doubtful_score) {
       Outcome<3> poses = choice_among(findings.by_poses.next([&] { return search_poses(shapes, landmarks, options); }),
                                       options, trials);
@@ -157,7 +172,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   bool fits_mirrored = false;
   if constexpr (Dim == 3)
     if (outcome.search.fits_far_better_mirrored && !options.search.mirror && options.mode == AlignMode::automatic &&
-        !shapes.one_is_part() && is_worth_mirroring(best, choice))
+        !outcome.search.is_of_part && is_worth_mirroring(best, choice))
       fits_mirrored = findings.fits_mirrored.next([&] { return outcome.search.fits_far_better_mirrored(best); });
   const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
   bool is_used = best.is_usable() && is_trusted;
@@ -177,6 +192,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   s.landmark_distance = best.landmark_distance;
   if (is_used) s.landmark_trust = result.landmark_trust;
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
+  s.is_of_part = outcome.search.is_of_part;
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(stays.empty() ? best.n_pairs : result.pairs.size()) : 0;
   const bool is_posed = !is_used && !result.pose.is_identity();

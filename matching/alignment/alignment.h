@@ -26,7 +26,8 @@ struct Alignment {
   std::vector<Landmark<Dim>> pairs;  ///< found automatically, in the user's coordinates, before bend and pose
   /// Without pairs, too, no part begins far from where it belongs.
   bool is_near = false;
-  double spread = 1;  ///< of the pairs' errors over those of nearly isometric shapes; at least 1
+  bool is_of_part = false;  ///< of a shape that was searched as a part of the other
+  double spread = 1;        ///< of the pairs' errors over those of nearly isometric shapes; at least 1
   /// Where landmarks took part in the search: a factor on their weight, below 1 where they are noisier than the pairs.
   std::optional<double> landmark_trust = {};
   std::optional<AlignmentSummary> summary;  ///< none with align.mode none

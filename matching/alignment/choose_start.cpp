@@ -21,9 +21,6 @@ constexpr double clearly_more_alike = 1.1;
 // In roots of the area.
 constexpr double most_landmark_distance = 0.15;
 
-// Maps of animals and people, and of parts of such, that are better than all others by this factor were right.
-constexpr double clear_margin = 1.15;
-
 template <int Dim>
 class Choosing {
  public:

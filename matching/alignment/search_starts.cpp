@@ -92,6 +92,8 @@ Surface<3> measured(const Shape<3>& shape) {
   return shape.buried_share > 0 ? with_buried(shape.evidence) : shape.evidence.observed;
 }
 
+}  // namespace
+
 StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                                      const AlignOptions& options) {
   const Surface<3> reference = measured(shapes.reference), template_surface = measured(shapes.template_shape);
@@ -121,14 +123,13 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
     start.order = candidate.order;
     start.landmark_distance = candidate.landmark_distance;
     if (!start.is_usable()) continue;
+    start.alignment.is_of_part = true;
     start.alignment.pose = choose_pose<3>(candidate.pairs, options, Mirroring::never, LengthUnit::shared);
     start.alignment.spread = spread_at(candidate.score, 0);
     if (options.weight > 0) start.alignment.pairs = as_landmarks<3>(candidate.pairs);
   }
   return search;
 }
-
-}  // namespace
 
 StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                              const AlignOptions& options) {

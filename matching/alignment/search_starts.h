@@ -13,6 +13,9 @@ namespace shellmatch {
 /// find_pairs(), find_partial_pairs(), find_outline_pairs()
 StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                              const AlignOptions& options);
+/// The same of the smaller one as a part of the other, however small its gaps are.
+StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+                                     const AlignOptions& options);
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>& landmarks,
                              const AlignOptions& options);
 

@@ -201,8 +201,8 @@ Trial Trials<Dim>::try_start(const Alignment<Dim>& start) const {
         const ShapePair<Dim>& tried = tried_shapes();
         const Surface<Dim> undeformed =
             start.bend ? transformed(tried.reference.surface, start.pose, placement) : d1.surface();
-        result.spin_difference =
-            spin_difference<Dim>(undeformed, deform(d1.surface()), d2.surface(), observed, tried.one_is_part());
+        result.spin_difference = spin_difference<Dim>(undeformed, deform(d1.surface()), d2.surface(), observed,
+                                                      start.is_of_part || tried.one_is_part());
         result.template_distance =
             two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), n_measured)
                 .figures.template_to_deformed.mean;
@@ -229,7 +229,7 @@ DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried c
                 .figures;
         result.distance = figures.template_to_deformed.mean + figures.deformed_to_template.mean;
         const ShapePair<Dim>& tried = tried_shapes();
-        if (tried.one_is_part()) {  // the rest of the whole is not reached from either side
+        if (start.is_of_part || tried.one_is_part()) {  // the rest of the whole is not reached from either side
           const bool deformed_is_part = tried.reference.invented_share > tried.template_shape.invented_share;
           result.distance =
               2 * (deformed_is_part == forward ? figures.deformed_to_template.mean : figures.template_to_deformed.mean);

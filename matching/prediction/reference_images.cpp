@@ -17,7 +17,7 @@ namespace {
 // Fewer vertices that face the template are no ground for anything.
 constexpr std::size_t least_pairs = 10;
 // Another pose has to end farther away by this factor.
-constexpr double clear_margin = 1.3;
+constexpr double clear_prediction = 1.3;
 // In diagonals of the template: about a cell of level 3, as wide as the band in which the cascade begins. A shape of
 // which a part ends farther away may have limbs that belong elsewhere.
 constexpr double most_apart = 0.125;
@@ -81,7 +81,7 @@ std::optional<PredictedPose> clear_pose<3>(const ShapePair<3>& shapes, const Ref
   PredictedPose found = predict_pose(shapes.reference.surface, on_surface(shapes.reference, images),
                                      shapes.template_shape.surface, options);
   if (found.pairs.size() < least_pairs) return none("their surfaces have nothing to face");
-  if (!(found.margin >= clear_margin))
+  if (!(found.margin >= clear_prediction))
     return none(fmt::format("another pose is nearly as good ({:.2f})", found.margin));
   if (!(found.farthest <= most_apart))
     return none(fmt::format("a part of them ends {:.2g} diagonals away", found.farthest));

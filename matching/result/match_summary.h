@@ -58,6 +58,11 @@ struct LevelSummary {
 /// Share of a surface that was made up to close it from which on the shape may be a part of the other. With more, maps
 /// by spectra of whole surfaces that look right are not.
 inline constexpr double least_of_part = 0.02;
+/// With less, it may still be a part that was cut off where it is thin, as a body at the neck.
+inline constexpr double least_of_cut = 0.002;
+
+/// Maps that are better than all others by this factor, of wholes and of parts, and that score no more, were right.
+inline constexpr double clear_margin = 1.15, clear_margin_of_part = 1.2, nearly_isometric = 0.8;
 
 /// A shape as it was read.
 struct ShapeSummary {
@@ -70,8 +75,10 @@ struct ShapeSummary {
   std::optional<double> buried =
       {};  ///< share of the area that was left out as it lies inside other parts; none where nothing was
 
-  /// Has so much of it been made up that it may be a part of the other shape?
-  bool may_be_part() const { return invented.value_or(0) > least_of_part; }
+  bool is_part = false;  ///< little was made up, and it was found to be a part of the other shape
+
+  /// Or has so much of it been made up that it may be one?
+  bool may_be_part() const { return is_part || invented.value_or(0) > least_of_part; }
   bool is_measured_everywhere() const { return !invented && !buried; }
 };
 
@@ -94,6 +101,7 @@ struct AlignmentSummary {
   int n_pairs = 0;          ///< used in the energy or for the pose
   bool doubtful = false;    ///< not clearly the best map, or far from isometric
   bool as_it_lies = false;  ///< nothing is used then: not clearly better than the shapes as they lie
+  bool is_of_part = false;  ///< one shape was searched as a part of the other
   bool fits_mirrored =
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
   std::optional<int> n_images = {};  ///< earlier results that it was predicted from, without a search

@@ -30,9 +30,7 @@ struct AllLimits {
 constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08}, {20, 48}, {4, 12}};
 // Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same.
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
-constexpr double nearly_isometric = 0.8, alike = 0.4;
-// Of maps of parts more can be exchanged that hardly shows.
-constexpr double clear_margin = 1.15, clear_margin_of_part = 1.2;
+constexpr double alike = 0.4;
 constexpr double much_invented = 0.5;  // share of a shape's area
 // Landmarks set by hand are wrong by less, a landmark on another limb by more.
 constexpr Limits landmark_distance{0.05, 0.15};

@@ -206,9 +206,10 @@ TEST(Scenes, WhatAssimpExportsIsReadBack) {
   const TempFolder folder;
   const auto exported = [&](const char* format, const std::string& name) {
     Assimp::Exporter exporter;
-    EXPECT_EQ(exporter.Export(exported_scene().get(), format, folder.path(name)), AI_SUCCESS)
-        << exporter.GetErrorString();
-    return read_mesh(folder.path(name));
+    // Of 60 exports of 3MF assimp 5.4.3 refuses one, as a file exists that does not and cannot be removed.
+    const std::string path = folder.write(name, "");
+    EXPECT_EQ(exporter.Export(exported_scene().get(), format, path), AI_SUCCESS) << exporter.GetErrorString();
+    return read_mesh(path);
   };
   const auto up = [](const Vec<3>& x) { return Vec<3>(1000 * Vec<3>(x.x(), -x.z(), x.y())); };
   const auto place = [](const Vec<3>& x) { return Vec<3>(10 - 2 * x.y(), 20 + 2 * x.x(), 30 + 2 * x.z()); };
