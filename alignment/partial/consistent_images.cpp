@@ -13,9 +13,11 @@ constexpr float unlikeness_weight = 2;
 // A difference of distances counts as 1 where it reaches `coarse`, between samples and along edges, and this share of
 // the distance.
 constexpr float coarse = 0.05F, lengthened = 0.3F, shortened = 0.1F;
-constexpr float largest = 4;        // what one pair of distances adds at most: ways around a cut may be anything
-constexpr float alike = 0.12F;      // assignments whose images all lie so near are the same
-constexpr std::size_t offered = 6;  // for each one that goes on
+constexpr float largest = 4;         // what one pair of distances adds at most: ways around a cut may be anything
+constexpr float alike = 0.12F;       // assignments whose images all lie so near are the same
+constexpr float akin = 0.4F;         // and those that lie so near are variants of one: no limb is another
+constexpr std::size_t n_kinds = 10;  // variants of one are at most this part of all that go on
+constexpr std::size_t offered = 30;  // for each one that goes on
 
 float stretch(float on_part, float on_whole) {
   const float more = on_part - on_whole;
@@ -31,6 +33,12 @@ struct Extended {
   bool operator<(const Extended& other) const {
     return std::tuple(cost, from, image) < std::tuple(other.cost, other.from, other.image);
   }
+};
+
+/// Placements that differ little from the first of them.
+struct Variants {
+  std::vector<int> images;
+  std::size_t n;
 };
 
 }  // namespace
@@ -53,15 +61,23 @@ std::vector<SampleImages> consistent_images(const SampleDistances& distances, st
     const std::size_t n_offered = std::min(all.size(), offered * width);
     std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n_offered), all.end());
     std::vector<SampleImages> next;
+    std::vector<Variants> kinds;
     for (std::size_t k = 0; k < n_offered && next.size() < width; ++k) {
       SampleImages extended{kept[all[k].from].images, all[k].cost};
       extended.images.push_back(all[k].image);
-      const auto is_same = [&](const SampleImages& other) {
-        for (std::size_t a = 0; a < extended.images.size(); ++a)
-          if (distances.on_whole(extended.images[a], other.images[a]) >= alike) return false;
+      const auto is_within = [&](const std::vector<int>& images, float limit) {
+        for (std::size_t a = 0; a < images.size(); ++a)
+          if (distances.on_whole(extended.images[a], images[a]) >= limit) return false;
         return true;
       };
-      if (std::none_of(next.begin(), next.end(), is_same)) next.push_back(std::move(extended));
+      // Otherwise variants of one would crowd out the others, as those of a mirrored placement the right ones.
+      auto kind = std::ranges::find_if(kinds, [&](const Variants& v) { return is_within(v.images, akin); });
+      if (kind == kinds.end()) kind = kinds.insert(kind, {extended.images, 0});
+      if (kind->n >= std::max<std::size_t>(1, width / n_kinds)) continue;
+      if (std::ranges::any_of(next, [&](const SampleImages& other) { return is_within(other.images, alike); }))
+        continue;
+      ++kind->n;
+      next.push_back(std::move(extended));
     }
     kept = std::move(next);
   }

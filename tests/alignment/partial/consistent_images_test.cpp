@@ -50,6 +50,19 @@ TEST(ConsistentImages, SurroundingsTellWhatDistancesDoNot) {
   EXPECT_EQ(found[0].images, (std::vector<int>{5, 0}));
 }
 
+// As a symmetric body has two sides, of which the wrong one may fit a little better at first.
+TEST(ConsistentImages, VariantsOfOneDoNotCrowdOutTheOthers) {
+  const Eigen::Index n = 25;  // on either side, 0.13 apart
+  Eigen::Matrix2Xf places(2, 2 * n);
+  for (Eigen::Index i = 0; i < 2 * n; ++i)
+    places.col(i) << (i < n ? -2.0F : 2.0F) + 0.13F * static_cast<float>(i % 5), 0.13F * static_cast<float>(i % n / 5);
+  SampleDistances samples{Eigen::MatrixXf::Zero(1, 1), distances_of(places), Eigen::MatrixXf::Zero(1, 2 * n)};
+  samples.unlikeness.rightCols(n).setConstant(0.1F);
+  const auto found = consistent_images(samples, 20);
+  EXPECT_LT(found.front().images[0], n);
+  EXPECT_GE(found.back().images[0], n);
+}
+
 TEST(ConsistentImages, WaysAroundHolesMayBeLongerButNotShorter) {
   SampleDistances lengthened{Eigen::MatrixXf(2, 2), Eigen::MatrixXf(2, 2), Eigen::MatrixXf::Zero(2, 2)};
   lengthened.on_whole << 0, 0.5F, 0.5F, 0;
