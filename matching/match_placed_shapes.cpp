@@ -73,9 +73,9 @@ class Matching {
                                                        std::ldexp(1.0, -options_.cascade.min_level), on_the_way)
                                    .figures;
     summary_.alignment = inputs_.prepared.alignment.summary;
-    if (summary_.alignment && summary_.alignment->is_of_part)
+    if (summary_.alignment && summary_.alignment->is_of_part.value_or(false))
       for (ShapeSummary* shape : {&summary_.reference, &summary_.template_shape})
-        shape->is_part = shape->invented && *shape->invented > least_of_cut;
+        if (shape->invented.value_or(0) > least_of_cut) shape->is_part = true;
     if (const std::optional<std::string> warning = far_apart_warning(summary_)) recorder_.warn(*warning);
     std::vector<PairSet<Dim>> pairs = inputs_.pairs;
     for (PairSet<Dim>& set : known_pairs(is_backward_ ? exchanged(inputs_.landmarks) : inputs_.landmarks,

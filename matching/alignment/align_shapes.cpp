@@ -192,7 +192,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   s.landmark_distance = best.landmark_distance;
   if (is_used) s.landmark_trust = result.landmark_trust;
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
-  s.is_of_part = outcome.search.is_of_part;
+  if (outcome.search.is_of_part) s.is_of_part = true;
   s.n_tried = static_cast<int>(choice.n_tried);
   s.n_pairs = is_used ? static_cast<int>(stays.empty() ? best.n_pairs : result.pairs.size()) : 0;
   const bool is_posed = !is_used && !result.pose.is_identity();

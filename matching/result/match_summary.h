@@ -75,10 +75,10 @@ struct ShapeSummary {
   std::optional<double> buried =
       {};  ///< share of the area that was left out as it lies inside other parts; none where nothing was
 
-  bool is_part = false;  ///< little was made up, and it was found to be a part of the other shape
+  std::optional<bool> is_part = {};  ///< true where little was made up, and it was found to be a part of the other
 
-  /// Or has so much of it been made up that it may be one?
-  bool may_be_part() const { return is_part || invented.value_or(0) > least_of_part; }
+  /// Whether it was found to be a part of the other shape, or so much of it was made up that it may be one.
+  bool may_be_part() const { return is_part.value_or(false) || invented.value_or(0) > least_of_part; }
   bool is_measured_everywhere() const { return !invented && !buried; }
 };
 
@@ -97,11 +97,11 @@ struct AlignmentSummary {
   /// Where landmarks took part: the median distance from where the map takes them, in roots of the area, and the factor
   /// on their weight.
   std::optional<double> landmark_distance = {}, landmark_trust = {};
-  int n_tried = 0;          ///< maps among which trials chose; 0 where the score alone did
-  int n_pairs = 0;          ///< used in the energy or for the pose
-  bool doubtful = false;    ///< not clearly the best map, or far from isometric
-  bool as_it_lies = false;  ///< nothing is used then: not clearly better than the shapes as they lie
-  bool is_of_part = false;  ///< one shape was searched as a part of the other
+  int n_tried = 0;                      ///< maps among which trials chose; 0 where the score alone did
+  int n_pairs = 0;                      ///< used in the energy or for the pose
+  bool doubtful = false;                ///< not clearly the best map, or far from isometric
+  bool as_it_lies = false;              ///< nothing is used then: not clearly better than the shapes as they lie
+  std::optional<bool> is_of_part = {};  ///< true where one shape was searched as a part of the other
   bool fits_mirrored =
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
   std::optional<int> n_images = {};  ///< earlier results that it was predicted from, without a search

@@ -196,12 +196,12 @@ TEST_F(Partial, ThePoseOfAPartIsSearched) {
   Shape<3> thinly_cut = part;
   thinly_cut.invented_share = 0.01;
   const MatchResult<3> thin = match_shapes(sideways, thinly_cut, o, notes);
-  EXPECT_TRUE(thin.summary.alignment->is_of_part) << notes.all;
+  EXPECT_TRUE(thin.summary.alignment->is_of_part.value_or(false)) << notes.all;
   EXPECT_TRUE(thin.summary.template_shape.may_be_part());
   EXPECT_FALSE(thin.summary.reference.may_be_part());
   EXPECT_EQ(thin.summary.alignment->n_pairs, onto_part.summary.alignment->n_pairs);
   thinly_cut.invented_share = 0.001;
-  EXPECT_FALSE(match_shapes(sideways, thinly_cut, o, notes).summary.alignment->is_of_part);
+  EXPECT_FALSE(match_shapes(sideways, thinly_cut, o, notes).summary.alignment->is_of_part.has_value());
 }
 
 TEST_F(Partial, TheDirectionIsChosenByThePartAlone) {
