@@ -4,6 +4,7 @@
 #include "geometry/distance/surface_distance.h"
 #include "geometry/surface/topology.h"
 #include "matching/alignment/known_pairs.h"
+#include "matching/level/paired_parts.h"
 #include "matching/progress/process_info.h"
 #include "matching/result/deformed_shape.h"
 #include "matching/result/figures.h"
@@ -92,7 +93,7 @@ class Matching {
     auto result = run_cascade<Dim>(
         d1_, d2_, options_, recorder_,
         [&](const LevelResult& level, const LevelState<Dim>& state) { finish_level(level, state); }, clock_.phases,
-        std::move(finished), pairs, observed_);
+        std::move(finished), pairs, matched_parts(pairs));
     summary_.interrupted = result.interrupted;
     recorder_.stage("measuring");
     PhaseClock phase(clock_.phases);
@@ -156,6 +157,13 @@ class Matching {
     places_.deformed = coordinates_of_template(distance.farthest_of_deformed);
     places_.template_shape = coordinates_of_template(distance.farthest_of_template);
     return distance.figures;
+  }
+
+  // What the energy is of.
+  ObservedPair<Dim> matched_parts(const std::vector<PairSet<Dim>>& pairs) const {
+    if (!inputs_.prepared.alignment.is_of_part) return observed_;
+    const Shape<Dim>&deformed = is_backward_ ? template_ : reference_, &other = is_backward_ ? reference_ : template_;
+    return paired_parts(deformed, other, pairs);
   }
 
   // Of the surface that is carried, and of the template.

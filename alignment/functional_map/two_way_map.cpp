@@ -43,8 +43,9 @@ void put_rows(const Columns4& vectors, const VertexSet& set, double weight, Eige
 Eigen::MatrixXf main_components(const SpectralShape& shape_1, const SpectralShape& shape_2) {
   // They hold four fifths of the variance.
   constexpr Eigen::Index n_components = 12;
-  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(SpinImages::n_entries, SpinImages::n_entries);
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(SpinImages::n_entries);
+  const Eigen::Index n_entries = shape_1.spin.rows();
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n_entries, n_entries);
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n_entries);
   for (const SpectralShape* shape : {&shape_1, &shape_2}) {
     const Eigen::MatrixXd spin = shape->spin.cast<double>();
     mean += 0.5 * spin * shape->mass;

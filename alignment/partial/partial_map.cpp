@@ -37,7 +37,7 @@ PartialShape make_partial_shape(Surface<3> surface, double unit, const Alignment
   Rows3 coordinates(n, 3);
   for (int v = 0; v < n; ++v) coordinates.row(v) = surface.vertices[v];
   Rows3 coefficients = spectrum.functions.transpose() * laplacian.mass.asDiagonal() * coordinates;
-  Eigen::MatrixXf spin = spin_images(surface, laplacian, part_spin_radius);
+  Eigen::MatrixXf spin = spin_images(surface, laplacian, {&part_spin_radius, 1});
   EdgeGraph graph(surface);
   std::vector<double> to_border(surface.vertices.size(), std::numeric_limits<double>::infinity());
   for (const Index v : border_vertices(surface)) graph.lower_distances(v, to_border);

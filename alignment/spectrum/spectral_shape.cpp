@@ -28,9 +28,10 @@ Eigen::MatrixXd wave_kernel_signature(const LaplacianEigenpairs& pairs, const Ei
 
 namespace {
 
-// Which way feet and a face point decides between front and back. Of 64 pairs of bodies the right map comes first in 59
-// with 0.08, in all with this.
-constexpr double spin_radius = 0.2;
+// Which way feet and a face point decides between front and back; the smaller radius tells hands and feet where limbs
+// come near. Of 120 pairs of bodies 111 first maps are right with the larger one alone, 112 with both, and of the wrong
+// ones none has a clear margin instead of three.
+constexpr double spin_radii[] = {0.2, 0.1};
 // Of ends of limbs, in roots of the area; fingers and ears have less.
 constexpr double least_prominence = 0.05;
 constexpr std::size_t n_most_tips = 7;  // 130 thousand ways to match them
@@ -71,7 +72,7 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
   Rows3 coefficients = pairs.functions.transpose() * laplacian.mass.asDiagonal() * coordinates;
   Rows3 normals = vertex_normals(surface.facets, coordinates);
   Eigen::MatrixXd signature = wave_kernel_signature(pairs, laplacian.mass, 50);
-  Eigen::MatrixXf spin = spin_images(surface, laplacian, spin_radius);
+  Eigen::MatrixXf spin = spin_images(surface, laplacian, spin_radii);
   const std::vector<Index> spread(
       samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(std::min(n_tip_samples, samples.size())));
   std::vector<SurfaceTip> tips = surface_tips(graph, spread, n_most_tips, least_prominence);

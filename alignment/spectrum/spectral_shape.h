@@ -25,7 +25,7 @@ struct SpectralShape {
   Rows3 coefficients;            ///< k x 3: functions * coefficients are the smoothed coordinates
   Rows3 normals;                 ///< n x 3, of unit length
   Eigen::MatrixXd signature;     ///< n x m, wave_kernel_signature()
-  Eigen::MatrixXf spin;          ///< 96 x n, spin_images()
+  Eigen::MatrixXf spin;          ///< 192 x n, spin_images()
   std::vector<Index> samples;    ///< farthest point samples, n_spectral_samples of them or all vertices
   std::vector<SurfaceTip> tips;  ///< ends of limbs
   Vec<3> centre;                 ///< of the input

@@ -115,18 +115,72 @@ void SpinImages::compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const {
   image = (image / image.sum()).cwiseSqrt();
 }
 
-Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian, double radius) {
-  Rows3 coordinates(static_cast<Eigen::Index>(surface.vertices.size()), 3);
-  for (std::size_t v = 0; v < surface.vertices.size(); ++v)
-    coordinates.row(static_cast<Eigen::Index>(v)) = surface.vertices[v];
+namespace {
+
+/// Which entry of a spin image counts a neighbour.
+int entry_of(const Vec<3>& offset, const Vec<3>& normal, const Vec<3>& its_normal, double radius) {
+  const double distance = offset.norm() / radius, height = offset.dot(normal) / radius;
+  const int r = std::min(static_cast<int>(n_radii * distance), n_radii - 1);
+  const int h = std::clamp(static_cast<int>((height + 1) * (0.5 * n_heights)), 0, n_heights - 1);
+  const int a = std::clamp(static_cast<int>((its_normal.dot(normal) + 1) * (0.5 * n_angles)), 0, n_angles - 1);
+  return (r * n_heights + h) * n_angles + a;
+}
+
+/// Spin images of what can be reached from a vertex along edges without leaving the ball around it.
+class ConnectedSpinImages {
+ public:
+  ConnectedSpinImages(const Rows3& coordinates, const Rows3& normals, const SurfaceLaplacian& laplacian)
+      : coordinates_(coordinates.transpose()), normals_(normals.transpose()), laplacian_(laplacian) {}
+
+  /// \param seen of any length per vertex, with no entry `point`; entries are set to `point`
+  void compute(Index point, double radius, std::vector<Index>& seen, Eigen::Ref<Eigen::VectorXf> image) const {
+    image.setZero();
+    const Vec<3> x = coordinates_.col(point), normal = normals_.col(point);
+    std::vector<Index> open{point};
+    seen[point] = point;
+    while (!open.empty()) {
+      const Index v = open.back();
+      open.pop_back();
+      image[entry_of(coordinates_.col(v) - x, normal, normals_.col(v), radius)] +=
+          static_cast<float>(laplacian_.mass[v]);
+      // The Laplacian has an entry for every edge.
+      for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian_.stiffness, v); it; ++it) {
+        const auto w = static_cast<Index>(it.row());
+        if (seen[w] == point) continue;
+        seen[w] = point;
+        if ((coordinates_.col(w) - x).squaredNorm() < radius * radius) open.push_back(w);
+      }
+    }
+    image = (image / image.sum()).cwiseSqrt();
+  }
+
+ private:
+  Eigen::Matrix3Xd coordinates_, normals_;
+  const SurfaceLaplacian& laplacian_;
+};
+
+}  // namespace
+
+Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian,
+                            std::span<const double> radii) {
+  const std::size_t n = surface.vertices.size();
+  Rows3 coordinates(static_cast<Eigen::Index>(n), 3);
+  for (std::size_t v = 0; v < n; ++v) coordinates.row(static_cast<Eigen::Index>(v)) = surface.vertices[v];
   const Rows3 normals = smoothed(vertex_normals(surface.facets, coordinates), laplacian);
-  const SpinImages spin(coordinates, normals, laplacian.mass, radius);
-  Eigen::MatrixXf images(SpinImages::n_entries, static_cast<Eigen::Index>(surface.vertices.size()));
-  parallel_for(spin.order().size(), [&](std::size_t k) {
-    const Index v = spin.order()[k];
-    spin.compute(v, images.col(v));
+  const ConnectedSpinImages spin(coordinates, normals, laplacian);
+  constexpr Eigen::Index n_entries = SpinImages::n_entries;
+  Eigen::MatrixXf images(n_entries * static_cast<Eigen::Index>(radii.size()), static_cast<Eigen::Index>(n));
+  parallel_chunks(n, 512, [&](const Chunk& chunk) {
+    std::vector<Index> seen(n, no_index);
+    for (std::size_t k = 0; k < radii.size(); ++k) {
+      std::ranges::fill(seen, no_index);
+      for (std::size_t v = chunk.begin; v < chunk.end; ++v)
+        spin.compute(
+            static_cast<Index>(v), radii[k], seen,
+            images.col(static_cast<Eigen::Index>(v)).segment(n_entries * static_cast<Eigen::Index>(k), n_entries));
+    }
   });
-  return images;
+  return images / std::sqrt(static_cast<float>(radii.size()));
 }
 
 }  // namespace shellmatch

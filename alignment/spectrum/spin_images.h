@@ -7,6 +7,7 @@
 #include "alignment/spectrum/laplacian.h"
 #include "geometry/surface/surface.h"
 
+#include <span>
 #include <vector>
 
 namespace shellmatch {
@@ -31,8 +32,6 @@ class SpinImages {
 
   /// \param image of n_entries, is set to zero first
   void compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const;
-  /// Points in the order in which neighbours come after one another.
-  const std::vector<Index>& order() const { return order_; }
 
  private:
   int axis_;  ///< along which the points extend farthest
@@ -42,9 +41,12 @@ class SpinImages {
   Eigen::VectorXf areas_;
 };
 
-/// Spin images of all vertices (96 x n), along smoothed normals.
+/// Spin images of all vertices along smoothed normals, one below the other for each radius (96 n_radii x n), divided by
+/// the root of their number. They are of what is connected to the vertex within the radius: another limb that comes
+/// near in some pose is not seen.
 /// \param surface, laplacian of area 1, whose root is the unit of length
-/// \param radius above 0; the larger, the more a whole limb is seen, and the farther from a border something is missing
-Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian, double radius);
+/// \param radii above 0; the larger, the more a whole limb is seen, and the farther from a border something is missing
+Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian,
+                            std::span<const double> radii);
 
 }  // namespace shellmatch

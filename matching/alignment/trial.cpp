@@ -10,6 +10,7 @@
 #include "matching/cascade/cascade.h"
 #include "matching/cascade/schedule.h"
 #include "matching/experiment/level_solver.h"
+#include "matching/level/paired_parts.h"
 #include "matching/result/figures.h"
 #include "matching/result/reference_map.h"
 #include "matching/result/spin_difference.h"
@@ -159,7 +160,9 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
     const std::vector<PairSet<Dim>> pairs = known_pairs<Dim>(landmarks_, start, trial, placement, d1, d2);
     TrialObserver silent(observer_, activity);
     PhaseSeconds seconds;
-    const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, observed);
+    const ObservedPair<Dim> matched =
+        start.is_of_part ? paired_parts(placed.reference, placed.template_shape, pairs) : observed;
+    const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, matched);
     activity.next(steps_after);
     if (std::isfinite(end.levels.back().minimised.sum())) measure(end, d1, d2, observed, placement);
   } catch (const InputError&) {  // no place in the domain, or no finite energy

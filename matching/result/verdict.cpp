@@ -28,7 +28,8 @@ struct AllLimits {
   Limits stretched_areas;  // factor; 95 % of the area have less; of lengths in the plane the square root
 };
 constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08}, {20, 48}, {4, 12}};
-// Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same.
+// Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same. The less it is
+// vouched for, the nearer are its limits to the usual ones.
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
 constexpr double alike = 0.4;
 constexpr double much_invented = 0.5;  // share of a shape's area
@@ -79,21 +80,33 @@ class Reasons {
   std::vector<VerdictReason> look_, fail_;
 };
 
-// A search has found a nearly isometric map that is clearly better than any other, and what corresponds in the end
-// looks alike. Exchanged sides look alike, too, but are not clearly better or worse than the right ones.
-bool is_vouched_for(const MatchSummary& summary) {
+// How far a map is vouched for, from 0 to 1: a search has found it nearly isometric and better than any other, for 1
+// clearly so, and what corresponds in the end looks alike. Exchanged sides look alike, too, but are not clearly better
+// or worse than the right ones.
+double vouched_share(const MatchSummary& summary) {
   const auto& a = summary.alignment;
+  const bool is_sound = a && !a->doubtful && !a->as_it_lies && a->n_pairs > 0 && a->score &&
+                        *a->score <= nearly_isometric && summary.spin_difference && *summary.spin_difference <= alike;
+  if (!is_sound) return 0;
   const bool one_is_part = summary.reference.may_be_part() || summary.template_shape.may_be_part();
-  const double least_margin = one_is_part ? clear_margin_of_part : clear_margin;
-  return a && !a->doubtful && !a->as_it_lies && a->n_pairs > 0 && a->score && *a->score <= nearly_isometric &&
-         a->margin.value_or(least_margin) >= least_margin && summary.spin_difference &&
-         *summary.spin_difference <= alike;
+  const double clear = one_is_part ? clear_margin_of_part : clear_margin;
+  return std::clamp((a->margin.value_or(clear) - 1) / (clear - 1), 0.0, 1.0);
 }
 
-// What a part lacks does not reach the other shape: worth a look unless the map is vouched for, and no failure.
-Limits limits_beside(const ShapeSummary& shape, Limits limits, bool is_vouched) {
+AllLimits limits_for(double vouched) {
+  const auto between = [vouched](const Limits& a, const Limits& b) {
+    return Limits{std::lerp(a.look, b.look, vouched), std::lerp(a.fail, b.fail, vouched)};
+  };
+  const AllLimits &a = usual, &b = of_vouched;
+  return {between(a.mean_distance, b.mean_distance), between(a.largest_distance, b.largest_distance),
+          between(a.unreached, b.unreached),         between(a.flipped, b.flipped),
+          between(a.turned_angles, b.turned_angles), between(a.stretched_areas, b.stretched_areas)};
+}
+
+// What a part lacks does not reach the other shape: worth a look the less the map is vouched for, and no failure.
+Limits limits_beside(const ShapeSummary& shape, Limits limits, double vouched) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  if (shape.may_be_part()) limits = {is_vouched ? none : limits.look, none};
+  if (shape.may_be_part()) limits = {vouched < 1 ? limits.look / (1 - vouched) : none, none};
   return limits;
 }
 
@@ -107,11 +120,11 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
                   {}});
     return;
   }
-  const bool is_vouched = is_vouched_for(summary);
-  const AllLimits& limits = is_vouched ? of_vouched : usual;
+  const double vouched = vouched_share(summary);
+  const AllLimits limits = limits_for(vouched);
   // Of a whole the mean is over much that its part lacks; of two parts over what both have.
   const auto mean_limits = [&](const ShapeSummary& other, const ShapeSummary& own) {
-    return own.may_be_part() ? limits.mean_distance : limits_beside(other, limits.mean_distance, is_vouched);
+    return own.may_be_part() ? limits.mean_distance : limits_beside(other, limits.mean_distance, vouched);
   };
   const std::string whole =
       "are units and poses the same (shellmatch inspect), are both shapes whole and of one kind? Otherwise " +
@@ -125,15 +138,15 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
       {fmt::format("the template lies {} from the deformed reference on average", length_text(back.mean, summary)),
        whole, "template", places.template_shape});
   if (uncovered)
-    reasons.add(*uncovered, limits_beside(summary.reference, limits.unreached, is_vouched),
+    reasons.add(*uncovered, limits_beside(summary.reference, limits.unreached, vouched),
                 {percent_text(*uncovered) + " of the template is not reached",
                  pose_advice(summary) + " can tell where to go", "template", places.template_shape});
   reasons.add(
-      there.max, limits_beside(summary.template_shape, limits.largest_distance, is_vouched),
+      there.max, limits_beside(summary.template_shape, limits.largest_distance, vouched),
       {fmt::format("a part of the deformed reference lies {} from the template", length_text(there.max, summary)),
        "the template may lack it, or a finer level (--levels) may be needed", "deformed", places.deformed});
   reasons.add(
-      back.max, limits_beside(summary.reference, limits.largest_distance, is_vouched),
+      back.max, limits_beside(summary.reference, limits.largest_distance, vouched),
       {fmt::format("a part of the template lies {} from the deformed reference", length_text(back.max, summary)),
        "the reference may lack it; otherwise a finer level or landmarks help", "template", places.template_shape});
 }
@@ -141,7 +154,7 @@ void judge_distances(const MatchSummary& summary, const VerdictPlaces& places, R
 void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, Reasons& reasons) {
   const std::string wrong =
       "where that is not what the shapes are like, points correspond wrongly: " + pose_advice(summary);
-  const AllLimits& limits = is_vouched_for(summary) ? of_vouched : usual;
+  const AllLimits limits = limits_for(vouched_share(summary));
   if (summary.flipped_share)
     reasons.add(*summary.flipped_share, limits.flipped,
                 {fmt::format("{} of the {} faces away from the template next to it",
@@ -186,9 +199,10 @@ void judge_landmarks(const MatchSummary& summary, Reasons& reasons) {
 
 void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
   const ShapeSummary &a = summary.reference, &b = summary.template_shape;
-  // What a part has of either tells nothing about the whole.
+  // What a part has of either tells nothing about the whole. Limbs that touch in one pose do not spoil a clear map.
   const bool are_wholes = !a.may_be_part() && !b.may_be_part();
-  if (are_wholes && a.n_components && b.n_components && (a.n_components != b.n_components || a.genus != b.genus))
+  const bool has_other_handles = a.genus != b.genus && vouched_share(summary) < 1;
+  if (are_wholes && a.n_components && b.n_components && (a.n_components != b.n_components || has_other_handles))
     reasons.look(
         {fmt::format("the reference has {} component{} and genus {}, the template {} and {}", *a.n_components,
                      *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),

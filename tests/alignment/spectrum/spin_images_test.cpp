@@ -14,7 +14,8 @@ namespace shellmatch {
 namespace {
 
 Eigen::MatrixXf images_of(const Surface<3>& surface) {
-  return spin_images(surface, surface_laplacian(surface, 2e-3), 0.08);
+  constexpr double radius = 0.08;
+  return spin_images(surface, surface_laplacian(surface, 2e-3), {&radius, 1});
 }
 
 Surface<3> sphere_of_area_one(int n) {
@@ -51,6 +52,26 @@ TEST(SpinImages, TellADentFromABump) {
   EXPECT_GT((bump.col(pole) - dent.col(pole)).squaredNorm(), 0.5);
   // Far from there nothing has changed but the size, by which all is measured.
   EXPECT_LT((flat.col(pole) - bump.col(antipode)).squaredNorm(), 0.1);
+}
+
+TEST(SpinImages, DoNotSeeALimbThatOnlyComesNear) {
+  const Surface<3> one = sphere_of_area_one(4);
+  Surface<3> both = one;
+  const double diameter = 2 * one.vertices[0].norm();
+  const auto n = static_cast<Index>(one.vertices.size());
+  for (const Vec<3>& x : one.vertices) both.vertices.push_back(x + Vec<3>(diameter + 0.02, 0, 0));
+  for (const auto& [a, b, c] : one.facets) both.facets.push_back({a + n, b + n, c + n});
+  EXPECT_LT((images_of(both).leftCols(n) - images_of(one)).squaredNorm() / static_cast<float>(n), 1e-3);
+}
+
+TEST(SpinImages, OfSeveralRadiiStandBelowEachOther) {
+  const Surface<3> sphere = sphere_of_area_one(4);
+  const SurfaceLaplacian laplacian = surface_laplacian(sphere, 2e-3);
+  constexpr double radii[] = {0.08, 0.2};
+  const Eigen::MatrixXf images = spin_images(sphere, laplacian, radii);
+  ASSERT_EQ(images.rows(), 2 * SpinImages::n_entries);
+  EXPECT_NEAR(images.col(5).norm(), 1, 1e-6);
+  EXPECT_LT((std::sqrt(2.0f) * images.topRows(SpinImages::n_entries) - images_of(sphere)).norm(), 1e-5);
 }
 
 }  // namespace

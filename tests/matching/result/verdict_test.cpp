@@ -76,7 +76,7 @@ MatchSummary vouched_summary() {
 TEST(Verdict, LimbsMayTurnAndTouchWhereTheSearchIsSureAndWhatCorrespondsLooksAlike) {
   EXPECT_EQ(judge(vouched_summary(), places).outcome, "matched");
   for (void (*const spoil)(MatchSummary&) :
-       {+[](MatchSummary& s) { s.alignment->score = 0.85; }, +[](MatchSummary& s) { s.alignment->margin = 1.1; },
+       {+[](MatchSummary& s) { s.alignment->score = 0.85; }, +[](MatchSummary& s) { s.alignment->margin = 1; },
         +[](MatchSummary& s) { s.alignment->as_it_lies = true; },
         +[](MatchSummary& s) { s.alignment->doubtful = true; }, +[](MatchSummary& s) { s.alignment->n_pairs = 0; },
         +[](MatchSummary& s) { s.alignment.reset(); }, +[](MatchSummary& s) { s.spin_difference = 0.45; },
@@ -100,6 +100,16 @@ TEST(Verdict, LimbsMayTurnAndTouchWhereTheSearchIsSureAndWhatCorrespondsLooksAli
       set(s, 0.99 * figure);
       EXPECT_EQ(judge(s, places).outcome, below) << figure;
     }
+  // Halfway to a clear margin half of the width.
+  MatchSummary half = vouched_summary();
+  half.alignment->margin = 1.075;
+  half.distance->uncovered = 0.0374;
+  half.flipped_share = 0.0399;
+  half.distance->deformed_to_template.max = 0.0749;
+  half.angle_distortion->p95 = 35.9;
+  EXPECT_EQ(judge(half, places).outcome, "matched");
+  half.angle_distortion->p95 = 36.1;
+  EXPECT_EQ(judge(half, places).outcome, "look-here");
   MatchSummary mirrored = vouched_summary();
   mirrored.alignment->fits_mirrored = true;
   EXPECT_EQ(judge(mirrored, places).outcome, "look-here");
@@ -116,11 +126,22 @@ TEST(Verdict, WhatAPartLacksIsNoReasonWhereTheMapIsVouchedFor) {
   MatchSummary unclear = s;
   unclear.angle_distortion->p95 = 40;
   EXPECT_EQ(judge(unclear, places).outcome, "matched");
-  unclear.alignment->margin = 1.18;
+  unclear.alignment->margin = 1.1;
   EXPECT_EQ(judge(unclear, places).outcome, "look-here") << "of a part another map may differ in one limb only";
   s.spin_difference = 0.45;
   s.angle_distortion->p95 = 15;
   s.flipped_share = 0.003;
+  EXPECT_EQ(judge(s, places).outcome, "look-here");
+}
+
+TEST(Verdict, LimbsThatTouchAreNoReasonWhereTheMapIsVouchedFor) {
+  MatchSummary s = vouched_summary();
+  s.reference.genus = 2;
+  EXPECT_EQ(judge(s, places).outcome, "matched");
+  s.alignment->margin = 1.14;
+  EXPECT_EQ(judge(s, places).outcome, "look-here");
+  s = vouched_summary();
+  s.reference.n_components = 2;
   EXPECT_EQ(judge(s, places).outcome, "look-here");
 }
 
