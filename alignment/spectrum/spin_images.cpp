@@ -118,9 +118,9 @@ void SpinImages::compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const {
 namespace {
 
 /// Which entry of a spin image counts a neighbour.
-int entry_of(const Vec<3>& offset, const Vec<3>& normal, const Vec<3>& its_normal, double radius) {
-  const double distance = offset.norm() / radius, height = offset.dot(normal) / radius;
-  const int r = std::min(static_cast<int>(n_radii * distance), n_radii - 1);
+int entry_of(const Vec<3>& offset, const Vec<3>& normal, const Vec<3>& its_normal, double per_radius) {
+  const double square = offset.squaredNorm() * per_radius * per_radius, height = offset.dot(normal) * per_radius;
+  const int r = (9 * square >= 1 ? 1 : 0) + (9 * square >= 4 ? 1 : 0);
   const int h = std::clamp(static_cast<int>((height + 1) * (0.5 * n_heights)), 0, n_heights - 1);
   const int a = std::clamp(static_cast<int>((its_normal.dot(normal) + 1) * (0.5 * n_angles)), 0, n_angles - 1);
   return (r * n_heights + h) * n_angles + a;
@@ -132,7 +132,7 @@ class ConnectedSpinImages {
   ConnectedSpinImages(const Rows3& coordinates, const Rows3& normals, const SurfaceLaplacian& laplacian)
       : coordinates_(coordinates.transpose()), normals_(normals.transpose()), laplacian_(laplacian) {}
 
-  /// \param seen of any length per vertex, with no entry `point`; entries are set to `point`
+  /// \param seen an entry for each vertex, none of them `point` before
   void compute(Index point, double radius, std::vector<Index>& seen, Eigen::Ref<Eigen::VectorXf> image) const {
     image.setZero();
     const Vec<3> x = coordinates_.col(point), normal = normals_.col(point);
@@ -141,7 +141,7 @@ class ConnectedSpinImages {
     while (!open.empty()) {
       const Index v = open.back();
       open.pop_back();
-      image[entry_of(coordinates_.col(v) - x, normal, normals_.col(v), radius)] +=
+      image[entry_of(coordinates_.col(v) - x, normal, normals_.col(v), 1 / radius)] +=
           static_cast<float>(laplacian_.mass[v]);
       // The Laplacian has an entry for every edge.
       for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian_.stiffness, v); it; ++it) {

@@ -194,6 +194,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   if (std::isfinite(choice.margin)) s.margin = choice.margin;
   if (outcome.search.is_of_part) s.is_of_part = true;
   s.n_tried = static_cast<int>(choice.n_tried);
+  s.pair_share = best.pair_share;
   s.n_pairs = is_used ? static_cast<int>(stays.empty() ? best.n_pairs : result.pairs.size()) : 0;
   const bool is_posed = !is_used && !result.pose.is_identity();
   const bool is_doubtful = choice.is_doubtful && !stay.coincides;

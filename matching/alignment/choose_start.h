@@ -21,6 +21,8 @@ template <int Dim>
 struct Start {
   Alignment<Dim> alignment;  ///< without a summary
   std::size_t n_pairs = 0;   ///< found, though they may have no weight
+  /// Of the samples of a surface, which the map takes there and back: the rest have no pair.
+  std::optional<double> pair_share = {};
   /// The last of alignment.pairs, which contradict those around them: they make the energy of a wrong map's trial
   /// higher, and the one that is chosen is used without them.
   std::size_t n_contradicting = 0;

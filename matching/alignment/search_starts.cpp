@@ -92,6 +92,11 @@ Surface<3> measured(const Shape<3>& shape) {
   return shape.buried_share > 0 ? with_buried(shape.evidence) : shape.evidence.observed;
 }
 
+double share_of_samples(std::size_t n_pairs, const PreparedSurface& sampled, const AlignmentOptions& options) {
+  const std::size_t n_samples = std::min(static_cast<std::size_t>(options.pairs), sampled.surface.vertices.size());
+  return static_cast<double>(n_pairs) / static_cast<double>(n_samples);
+}
+
 }  // namespace
 
 StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
@@ -119,6 +124,7 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
     exchange(candidate.pairs);
     Start<3>& start = search.starts.emplace_back();
     start.n_pairs = candidate.pairs.size();
+    start.pair_share = share_of_samples(start.n_pairs, found.part, options.search);
     start.score = candidate.score;
     start.order = candidate.order;
     start.landmark_distance = candidate.landmark_distance;
@@ -158,6 +164,7 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
     search.starts.back().landmark_distance = candidate.landmark_distance;
     search.starts.back().order = candidate.order;
     search.starts.back().margin = candidate.margin;
+    search.starts.back().pair_share = share_of_samples(candidate.pairs.size(), found.reference, options.search);
     if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
   }
   return search;

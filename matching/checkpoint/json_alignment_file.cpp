@@ -63,7 +63,7 @@ static void unpack(const std::vector<double>& numbers, std::vector<Landmark<Dim>
 
 SHELLMATCH_JSON_2D_3D(Start, (alignment.pose, pose), (alignment.pairs, pairs), (alignment.spread, spread),
                       (alignment.landmark_trust, landmark_trust), (alignment.is_of_part, part), (n_pairs, found),
-                      (n_contradicting, contradicting), score, order, margin, landmark_distance,
+                      (n_contradicting, contradicting), pair_share, score, order, margin, landmark_distance,
                       (is_identity, identity), (is_mirrored, mirrored))
 SHELLMATCH_JSON_2D_3D(StartSearch, starts, margin, (searched_share, share), (n_landmarks, landmarks),
                       landmarks_are_spread, notes, (is_of_part, part), (is_ambiguous, ambiguous))

@@ -24,8 +24,8 @@ SHELLMATCH_JSON(ShapeSummary, file, (n_vertices, vertices), (n_facets, facets), 
                 genus, invented, buried, (is_part, part))
 SHELLMATCH_JSON(PlacementSummary, kind, scale, offset)
 SHELLMATCH_JSON(AlignmentSummary, mode, angle, scale, mirrored, score, margin, (n_tried, tried), (n_pairs, pairs),
-                doubtful, as_it_lies, (is_of_part, of_part), fits_mirrored, landmark_distance, landmark_trust,
-                (n_images, predicted_from))
+                pair_share, doubtful, as_it_lies, (is_of_part, of_part), fits_mirrored, landmark_distance,
+                landmark_trust, (n_images, predicted_from))
 SHELLMATCH_JSON(LandmarkSummary, (n, count), mean, max, farthest, place)
 SHELLMATCH_JSON(DirectionSummary, backward, forward_distance, backward_distance, forward_energy, backward_energy)
 SHELLMATCH_JSON(RunFigures, compiler, threads, seconds, phase_seconds, level_seconds, peak_memory_bytes, resumed_after,

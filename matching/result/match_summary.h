@@ -97,11 +97,12 @@ struct AlignmentSummary {
   /// Where landmarks took part: the median distance from where the map takes them, in roots of the area, and the factor
   /// on their weight.
   std::optional<double> landmark_distance = {}, landmark_trust = {};
-  int n_tried = 0;                      ///< maps among which trials chose; 0 where the score alone did
-  int n_pairs = 0;                      ///< used in the energy or for the pose
-  bool doubtful = false;                ///< not clearly the best map, or far from isometric
-  bool as_it_lies = false;              ///< nothing is used then: not clearly better than the shapes as they lie
-  std::optional<bool> is_of_part = {};  ///< true where one shape was searched as a part of the other
+  int n_tried = 0;                        ///< maps among which trials chose; 0 where the score alone did
+  int n_pairs = 0;                        ///< used in the energy or for the pose
+  std::optional<double> pair_share = {};  ///< of a surface's samples for which the search found a pair
+  bool doubtful = false;                  ///< not clearly the best map, or far from isometric
+  bool as_it_lies = false;                ///< nothing is used then: not clearly better than the shapes as they lie
+  std::optional<bool> is_of_part = {};    ///< true where one shape was searched as a part of the other
   bool fits_mirrored =
       false;  ///< the mirrored reference would fit far better; searched only where the chosen map is strange
   std::optional<int> n_images = {};  ///< earlier results that it was predicted from, without a search

@@ -32,7 +32,8 @@ constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08
 // vouched for, the nearer are its limits to the usual ones.
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
 constexpr double alike = 0.4;
-constexpr double much_invented = 0.5;  // share of a shape's area
+constexpr double few_pairs = 0.75, most_pairs = 0.85;  // shares of the samples
+constexpr double much_invented = 0.5;                  // share of a shape's area
 // Landmarks set by hand are wrong by less, a landmark on another limb by more.
 constexpr Limits landmark_distance{0.05, 0.15};
 constexpr double apart = 0.25;  // mean distance in diagonals, before a run
@@ -81,8 +82,8 @@ class Reasons {
 };
 
 // How far a map is vouched for, from 0 to 1: a search has found it nearly isometric and better than any other, for 1
-// clearly so, and what corresponds in the end looks alike. Exchanged sides look alike, too, but are not clearly better
-// or worse than the right ones.
+// clearly so, nearly all samples have a pair, and what corresponds in the end looks alike. Exchanged sides look alike,
+// too, but are not clearly better or worse than the right ones. Where limbs go wrong, samples on them have no pair.
 double vouched_share(const MatchSummary& summary) {
   const auto& a = summary.alignment;
   const bool is_sound = a && !a->doubtful && !a->as_it_lies && a->n_pairs > 0 && a->score &&
@@ -90,7 +91,9 @@ double vouched_share(const MatchSummary& summary) {
   if (!is_sound) return 0;
   const bool one_is_part = summary.reference.may_be_part() || summary.template_shape.may_be_part();
   const double clear = one_is_part ? clear_margin_of_part : clear_margin;
-  return std::clamp((a->margin.value_or(clear) - 1) / (clear - 1), 0.0, 1.0);
+  return std::clamp(std::min((a->margin.value_or(clear) - 1) / (clear - 1),
+                             (a->pair_share.value_or(1) - few_pairs) / (most_pairs - few_pairs)),
+                    0.0, 1.0);
 }
 
 AllLimits limits_for(double vouched) {

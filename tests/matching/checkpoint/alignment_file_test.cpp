@@ -38,6 +38,7 @@ StartSearch<Dim> search() {
       start.alignment.pairs.push_back(
           {pair_name(start.alignment.pairs.size()), Vec<Dim>::Constant(std::sqrt(k)), Vec<Dim>::Constant(-k), 0.7});
     start.n_pairs = 10;
+    if (i == 1) start.pair_share = 0.9;
     start.n_contradicting = 1;
     start.score = 0.2;
     start.order = 0.3;
@@ -72,6 +73,7 @@ void expect_same(const StartSearch<Dim>& a, const StartSearch<Dim>& b) {
   for (std::size_t i = 0; i < a.starts.size(); ++i) {
     const Start<Dim>&s = a.starts[i], &t = b.starts[i];
     EXPECT_EQ(s.n_pairs, t.n_pairs);
+    EXPECT_EQ(s.pair_share, t.pair_share);
     EXPECT_EQ(s.n_contradicting, t.n_contradicting);
     EXPECT_EQ(s.score, t.score);
     EXPECT_EQ(s.order, t.order);

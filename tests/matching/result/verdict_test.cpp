@@ -69,6 +69,7 @@ MatchSummary vouched_summary() {
   s.alignment->score = 0.7;
   s.alignment->margin = 1.2;
   s.alignment->n_pairs = 900;
+  s.alignment->pair_share = 0.9;
   s.spin_difference = 0.35;
   return s;
 }
@@ -109,6 +110,12 @@ TEST(Verdict, LimbsMayTurnAndTouchWhereTheSearchIsSureAndWhatCorrespondsLooksAli
   half.angle_distortion->p95 = 35.9;
   EXPECT_EQ(judge(half, places).outcome, "matched");
   half.angle_distortion->p95 = 36.1;
+  EXPECT_EQ(judge(half, places).outcome, "look-here");
+  half.angle_distortion->p95 = 35.9;
+  half.alignment->margin = 2;
+  half.alignment->pair_share = 0.801;
+  EXPECT_EQ(judge(half, places).outcome, "matched");
+  half.alignment->pair_share = 0.78;
   EXPECT_EQ(judge(half, places).outcome, "look-here");
   MatchSummary mirrored = vouched_summary();
   mirrored.alignment->fits_mirrored = true;
