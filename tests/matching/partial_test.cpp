@@ -2,6 +2,7 @@
 // the other lacks is neither pulled nor measured.
 
 #include "geometry/repair/make_shape.h"
+#include "matching/alignment/align_shapes.h"
 #include "matching/alignment/trial.h"
 #include "matching/input/shape_source.h"
 #include "matching/match_shapes.h"
@@ -71,13 +72,18 @@ class Partial : public ::testing::Test {
   static void SetUpTestSuite() {
     reference = std::make_unique<Shape<3>>(std::get<Shape<3>>(open_shape("generate:face")));
     other = std::make_unique<Shape<3>>(std::get<Shape<3>>(open_shape("generate:face/other")));
-    Observer quiet;
-    whole = std::make_unique<MatchResult<3>>(match_shapes(*reference, *other, options(), quiet));
   }
   static void TearDownTestSuite() {
     reference.reset();
     other.reset();
-    whole.reset();
+    whole_match.reset();
+  }
+  /// Of the tests that need it the first makes it.
+  static const MatchResult<3>& whole() {
+    Observer quiet;
+    if (!whole_match)
+      whole_match = std::make_unique<MatchResult<3>>(match_shapes(*reference, *other, options(), quiet));
+    return *whole_match;
   }
   static ExperimentOptions options() {
     ExperimentOptions o = profile_defaults(Profile::standard);
@@ -91,13 +97,13 @@ class Partial : public ::testing::Test {
     EXPECT_GT(vertices.size(), 1000u);
     double sum = 0;
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      sum += (end_of(i) - whole->deformed.vertices[static_cast<std::size_t>(vertices[i])]).norm();
+      sum += (end_of(i) - whole().deformed.vertices[static_cast<std::size_t>(vertices[i])]).norm();
     return sum / static_cast<double>(vertices.size()) / bounding_box(other->original.vertices).diagonal();
   }
 
   const Vec<3> down{0, -1, 0};
   static inline std::unique_ptr<Shape<3>> reference, other;
-  static inline std::unique_ptr<MatchResult<3>> whole;
+  static inline std::unique_ptr<MatchResult<3>> whole_match;
   Observer quiet;
 };
 
@@ -107,7 +113,7 @@ TEST_F(Partial, AWholeHeadFitsAPartOfOne) {
   const MatchResult<3> fitted = match_shapes(*reference, part.shape, options(), quiet);
   std::vector<Index> kept, gone;
   for (std::size_t v = 0; v < reference->original.vertices.size(); ++v)
-    (whole->deformed.vertices[v].dot(down) < part.height ? kept : gone).push_back(static_cast<Index>(v));
+    (whole().deformed.vertices[v].dot(down) < part.height ? kept : gone).push_back(static_cast<Index>(v));
   const auto end_in = [](const MatchResult<3>& r, const std::vector<Index>& vertices) {
     return [&](std::size_t i) { return r.deformed.vertices[static_cast<std::size_t>(vertices[i])]; };
   };
@@ -133,7 +139,7 @@ TEST_F(Partial, AWholeHeadFitsAPartOfOne) {
   };
   EXPECT_GT(share_observed(kept), 0.95);
   EXPECT_LT(share_observed(gone), 0.1);
-  EXPECT_EQ(column(whole->deformed, "template_observed"), nullptr);
+  EXPECT_EQ(column(whole().deformed, "template_observed"), nullptr);
   EXPECT_TRUE(std::ranges::any_of(fitted.surfaces.distance, [](double d) { return std::isnan(d); }));
 }
 
@@ -176,22 +182,26 @@ TEST_F(Partial, ThePoseOfAPartIsSearched) {
   };
   ExperimentOptions o = options();
   o.align.mode = AlignMode::automatic;
-  o.align.search.max_vertices = 2000;
+  o.align.search.max_vertices = 1000;
   o.align.search.pairs = 300;
+  o.align.search.functions = 60;
+  o.align.search.refined = 2;
+  o.align.bend = BendMode::never;
+  o.align.direction = MatchDirection::forward;
   o.cascade.max_level = 3;
   OriginalShape<3> turned = reference->original;
   for (Vec<3>& x : turned.vertices) x = Vec<3>(-x[1], x[0], x[2]);
   const Shape<3> sideways = make_shape(std::move(turned), "sideways");
   const Shape<3> part = cut(*other, down, 1.0 / 3).shape;
   Notes notes, back;
-  const MatchResult<3> onto_part = match_shapes(sideways, part, o, notes),
-                       onto_whole = match_shapes(part, sideways, o, back);
+  const AlignmentSummary onto_part = *align_shapes<3>({sideways, part}, {}, o, notes).summary,
+                         onto_whole = *align_shapes<3>({part, sideways}, {}, o, back).summary;
   EXPECT_NE(notes.all.find("searched as a part"), std::string::npos) << notes.all;
-  EXPECT_NEAR(onto_part.summary.alignment->angle, 90, 10) << notes.all;
-  EXPECT_NEAR(onto_whole.summary.alignment->angle, 90, 10) << back.all;
-  EXPECT_EQ(onto_part.summary.alignment->scale, 1);
-  EXPECT_GT(onto_part.summary.alignment->n_pairs, 100);
-  EXPECT_EQ(onto_part.summary.alignment->n_pairs, onto_whole.summary.alignment->n_pairs);
+  EXPECT_NEAR(onto_part.angle, 90, 10) << notes.all;
+  EXPECT_NEAR(onto_whole.angle, 90, 10) << back.all;
+  EXPECT_EQ(onto_part.scale, 1);
+  EXPECT_GT(onto_part.n_pairs, 100);
+  EXPECT_EQ(onto_part.n_pairs, onto_whole.n_pairs);
   // What was cut off where it is thin leaves small gaps. The search of wholes finds nothing that is clear then.
   Shape<3> thinly_cut = part;
   thinly_cut.invented_share = 0.01;
@@ -199,9 +209,9 @@ TEST_F(Partial, ThePoseOfAPartIsSearched) {
   EXPECT_TRUE(thin.summary.alignment->is_of_part.value_or(false)) << notes.all;
   EXPECT_TRUE(thin.summary.template_shape.may_be_part());
   EXPECT_FALSE(thin.summary.reference.may_be_part());
-  EXPECT_EQ(thin.summary.alignment->n_pairs, onto_part.summary.alignment->n_pairs);
+  EXPECT_EQ(thin.summary.alignment->n_pairs, onto_part.n_pairs);
   thinly_cut.invented_share = 0.001;
-  EXPECT_FALSE(match_shapes(sideways, thinly_cut, o, notes).summary.alignment->is_of_part.has_value());
+  EXPECT_FALSE(align_shapes<3>({sideways, thinly_cut}, {}, o, notes).summary->is_of_part.has_value());
 }
 
 TEST_F(Partial, TheDirectionIsChosenByThePartAlone) {

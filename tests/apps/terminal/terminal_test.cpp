@@ -113,17 +113,16 @@ TEST(Terminal, ALineIsRewrittenWithinItsWidthAndOneStaysForEachLevel) {
 
 TEST(Terminal, EveryPhaseSaysThatItGoesOn) {
   const TemporaryFolder tmp;
-  const Words words{"match",    "generate:hand", "generate:hand/bent", "-o", tmp / "o",
-                    "--levels", "3:4",           "--threads",          "1"};
-  const Shown shown = run_on_terminal(words, 100);
+  const auto words = [&](const char* reference, const char* target, const char* folder) {
+    return Words{"match", reference, target, "-o", tmp / folder, "--levels", "3:4", "--threads", "1"};
+  };
+  const Shown shown = run_on_terminal(words("generate:leaf/deep", "generate:leaf/shallow", "plane"), 100);
   EXPECT_EQ(shown.exit_code, 0) << shown.text;
   for (const char* stage : {"\rreading", "\ralignment", "\rmatching", "\rmeasuring", "\rwriting", "\rwriting the page"})
     EXPECT_TRUE(has(shown.text, stage)) << stage << shown.text;
   EXPECT_FALSE(has(shown.text, "sigma")) << shown.text;
   // Elsewhere these are lines, and the parameters of minimisations belong to -v.
-  Words again = words;
-  again.emplace_back("--force");
-  const ProgramResult lines = run_program(again);
+  const ProgramResult lines = run_program(words("generate:hand", "generate:hand/bent", "space"));
   for (const char* stage : {"alignment (", "matching (", "measuring (", "writing (", "level 4/4, step 1/"})
     EXPECT_TRUE(has(lines.err, stage)) << stage << lines.err;
   for (const char* detail : {"sigma", "c_vol", "margin", "step 2/"})

@@ -1,6 +1,8 @@
 #pragma once
 /// \file
-/// Inputs to the recorded energy terms, generic and degenerate, and the checks on each of them.
+/// Inputs to the recorded energy terms, generic and degenerate, and the checks on each of them: by packs, as they are
+/// evaluated. That numbers give the same is checked on small functors with every operation (autodiff_test.cpp), and on
+/// one term (compiled/example_test.cpp).
 
 #include "energies/terms/term_functors.h"
 #include "tests/energies/autodiff/compiled_against_jets.h"
@@ -43,10 +45,10 @@ void check_recorded() {
       if (lane == 2) std::fill(p.active.begin() + 1 + Dim, p.active.end(), 0.0);
       if (lane == 3) p.active[0] = p.passive[0];
     }
-    expect_as_jets<Functor>(points);
+    expect_as_jets<Functor, MadeFor::packs>(points);
     std::array<Inputs<Argument>, autodiff::pack_size> same;
     for (int lane = 0; lane < autodiff::pack_size; ++lane) same[lane] = {points[lane].active, points[lane].passive};
-    expect_jacobian_as_jets<Argument>(same);
+    expect_jacobian_as_jets<Argument, MadeFor::packs>(same);
   }
   expect_good_tape<Functor>();
   expect_good_tape<Argument>();
@@ -71,7 +73,7 @@ void check_recorded() {
         for (int i = 0; i < Dim; ++i) p.active[i] = -p.active[i];
       if (lane == 3) p.active.fill(0);
     }
-    expect_as_jets<Functor>(points);
+    expect_as_jets<Functor, MadeFor::packs>(points);
   }
   expect_good_tape<Functor>();
 }
@@ -99,7 +101,7 @@ void check_recorded() {
       }
     }
     // The terms of the sum are inverse to small determinants: their derivatives lose digits.
-    expect_as_jets<Functor>(points, 1e-11);
+    expect_as_jets<Functor, MadeFor::packs>(points, 1e-11);
   }
   expect_good_tape<Functor>();
 }

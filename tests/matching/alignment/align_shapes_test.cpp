@@ -40,6 +40,7 @@ ExperimentOptions quick(AlignMode mode) {
   ExperimentOptions o = profile_defaults(Profile::standard);
   o.cascade.max_level = 5;
   o.align.mode = mode;
+  o.align.search.max_vertices = 2000;
   o.align.search.start_functions = 4;
   o.align.search.functions = 60;
   o.align.search.refined = 2;

@@ -25,6 +25,7 @@ ExperimentOptions to_level_4() {
   o.cascade.max_level = 4;
   o.cascade.coarse_sigma_cells = 3;
   o.align.coarse_sigma_cells = 1.5;
+  o.align.search.max_vertices = 2000;
   o.align.search.start_functions = 4;
   o.align.search.functions = 60;
   o.align.search.refined = 2;

@@ -58,6 +58,7 @@ TEST(SearchStarts, LandmarksReachTheSearchAndMakeItsPairsCertain) {
 TEST(SearchStarts, PairsThatContradictThoseAroundThemAreTheLast) {
   const auto shape = [](const char* name) { return std::get<Shape<3>>(open_shape(name)); };
   AlignOptions options;
+  options.search.max_vertices = 2000;
   options.search.functions = 40;
   options.search.refined = 3;
   const auto contradicting = [&](const char* reference, const char* target) {

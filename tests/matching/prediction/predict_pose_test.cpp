@@ -101,7 +101,9 @@ struct PredictedRun : testing::Test {
     ExperimentOptions o = profile_defaults(Profile::standard);
     o.input.reference = folder / "reference.ply";
     o.input.template_file = folder / target;
-    o.cascade.max_level = 4;
+    o.cascade.max_level = 3;
+    o.align.search.functions = 40;
+    o.align.search.refined = 1;
     o.pictures = Pictures::none;
     o.report = false;
     for (const std::string& image : images) o.start.images.push_back(folder / image);

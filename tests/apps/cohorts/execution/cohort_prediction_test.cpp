@@ -21,7 +21,7 @@ struct CohortPrediction : CohortProgram {
   void SetUp() override {
     CohortProgram::SetUp();
     for (int k = 0; k <= 5; ++k) {
-      Surface<3> surface = geodesic_sphere(8);
+      Surface<3> surface = geodesic_sphere(5);
       const Vec<3> top = Vec<3>(1, 0.7, 0.4).normalized(), axes(1.3 + 0.03 * k, 1.1, 0.9 - 0.02 * k);
       for (Vec<3>& x : surface.vertices) x = axes.cwiseProduct((1 + 0.25 * std::exp(-4 * (x - top).squaredNorm())) * x);
       OriginalShape<3> shape{surface.vertices, {}, {}};
@@ -32,7 +32,8 @@ struct CohortPrediction : CohortProgram {
   std::vector<std::string> words(const std::string& out, std::vector<std::string> more = {}) const {
     std::vector<std::string> all{"s4.ply", "s2.ply", "s5.ply", "s1.ply", "s3.ply", "--atlas", "atlas.ply", "-o", out};
     if (more.empty()) std::reverse(all.begin(), all.begin() + 5);
-    for (const char* word : {"--levels", "3:3", "--set", "statistics.samples=20"}) all.emplace_back(word);
+    for (const char* word : {"--levels", "3:3", "--set", "statistics.samples=20", "--set", "statistics.mode_meshes=0"})
+      all.emplace_back(word);
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
