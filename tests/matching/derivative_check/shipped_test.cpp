@@ -68,7 +68,9 @@ struct Compared {
 // Shapes take longest to make, and then levels: an experiment's shapes are made once, and one level for each evaluator.
 std::vector<Compared> compared(ExperimentOptions options) {
   Observer silent;
-  options.cascade.max_level = std::max(options.cascade.min_level, 3);
+  // Shapes that are used as they are may lie beside the outermost cells of level 4, and leave level 3 no room.
+  options.cascade.max_level =
+      std::max(options.cascade.min_level, options.input.placement == PlacementKind::as_is ? 4 : 3);
   check_experiment(options);
   const auto with_shapes = [&]<int Dim>(const ShapePair<Dim>& shapes) {
     std::vector<Compared> all;
@@ -91,14 +93,15 @@ std::vector<Compared> compared(ExperimentOptions options) {
 // The two evaluators share the terms' functors and the fields, and no further code: the check's sums are made by Ceres'
 // cost functions, whichever of both evaluates the energy.
 TEST(ShippedExperiments, HaveTheSameEnergyByBothEvaluators) {
-  int n_compared = 0;
+  int n_experiments = 0, n_compared = 0;
   for (const auto& path : shipped_experiments()) {
     std::vector<Compared> all;
     try {
       all = compared(read_experiment(path.string()));
     } catch (const InputError&) {
-      continue;  // shapes that do not come with the program, or lie where so coarse a grid has no room
+      continue;  // shapes that do not come with the program
     }
+    ++n_experiments;
     for (const auto& [state, evaluator, report] : all) {
       SCOPED_TRACE(path.string() + " " + state.text());
       for (const TermCheck& t : report.terms) {
@@ -113,7 +116,8 @@ TEST(ShippedExperiments, HaveTheSameEnergyByBothEvaluators) {
       }
     }
   }
-  EXPECT_GE(n_compared, 150);
+  EXPECT_GE(n_experiments, 20);
+  EXPECT_GE(n_compared, 240);
 }
 
 TEST(CheckStates, AreReadAndNamed) {
