@@ -57,10 +57,10 @@ class Matching {
         options_(cascade_options(options, inputs_.prepared.alignment)),
         recorder_(recorder),
         clock_(clock),
-        observed_(is_backward_ ? observed_pair(template_, reference_) : observed_pair(reference_, template_)),
+        observed_(observed_pair(moving_, fixed_)),
         parts_(observed_of_result().reference, reference_.surface, observed_of_result().template_shape),
-        d1_(distance_of(is_backward_ ? template_ : reference_)),
-        d2_(distance_of(is_backward_ ? reference_ : template_)) {}
+        d1_(distance_of(moving_)),
+        d2_(distance_of(fixed_)) {}
 
   MatchResult<Dim> run() {
     summary_.reference = shape_summary(reference_);
@@ -161,9 +161,7 @@ class Matching {
 
   // What the energy is of.
   ObservedPair<Dim> matched_parts(const std::vector<PairSet<Dim>>& pairs) const {
-    if (!inputs_.prepared.alignment.is_of_part) return observed_;
-    const Shape<Dim>&deformed = is_backward_ ? template_ : reference_, &other = is_backward_ ? reference_ : template_;
-    return paired_parts(deformed, other, pairs);
+    return inputs_.prepared.alignment.is_of_part ? paired_parts(observed_, moving_, fixed_, pairs) : observed_;
   }
 
   // Of the surface that is carried, and of the template.
@@ -351,9 +349,11 @@ class Matching {
   Recorder& recorder_;
   RunClock& clock_;
   const bool is_backward_ = inputs_.prepared.is_backward();
-  const ObservedPair<Dim> observed_;  // first that of the shape that phi deforms
+  const Shape<Dim>&moving_ = is_backward_ ? template_ : reference_,  // phi deforms it
+      &fixed_ = is_backward_ ? reference_ : template_;
+  const ObservedPair<Dim> observed_;  // of moving_ and fixed_
   const MeasuredParts<Dim> parts_;
-  SignedDistance<Dim> d1_, d2_;  // of the shape that phi deforms, and of the other one
+  SignedDistance<Dim> d1_, d2_;  // of moving_ and fixed_
   const SignedDistance<Dim>& template_distance_ = is_backward_ ? d1_ : d2_;
   MatchSummary summary_;
   std::vector<LevelVertices<Dim>> levels_;

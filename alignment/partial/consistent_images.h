@@ -22,8 +22,8 @@ struct SampleImages {
 
 /// Assignments of little cost that differ from one another, at most `width`, ascending. A beam search: samples are
 /// placed in turn, and of all ways so far the cheapest that differ go on, of those that differ by less than 0.4
-/// everywhere at most a tenth. Ways on a surface with holes are longer than
-/// those on the whole, but not shorter, so that lengthening costs less. Mirrored assignments cost the same.
+/// everywhere at most a tenth. Ways on a surface with holes are longer than those on the whole, but not shorter, so
+/// that lengthening costs less. Mirrored assignments cost the same.
 std::vector<SampleImages> consistent_images(const SampleDistances& distances, std::size_t width);
 
 }  // namespace shellmatch

@@ -35,6 +35,14 @@ constexpr double smoothing_time = 6e-4;  // heat flow over about 0.05 roots of t
 constexpr int n_radii = 3, n_heights = 4, n_angles = 8;
 static_assert(n_radii == 3 && n_radii * n_heights * n_angles == SpinImages::n_entries);
 
+/// Which entry counts a neighbour. \param square, height of its offset, in radii
+int entry_of(double square, double height, double cosine) {
+  const int r = (9 * square >= 1 ? 1 : 0) + (9 * square >= 4 ? 1 : 0);
+  const int h = std::clamp(static_cast<int>((height + 1) * (0.5 * n_heights)), 0, n_heights - 1);
+  const int a = std::clamp(static_cast<int>((cosine + 1) * (0.5 * n_angles)), 0, n_angles - 1);
+  return (r * n_heights + h) * n_angles + a;
+}
+
 /// After a step of implicit heat flow, of unit length.
 Rows3 smoothed(const Rows3& normals, const SurfaceLaplacian& laplacian) {
   Eigen::SparseMatrix<double> matrix = smoothing_time * laplacian.stiffness;
@@ -103,10 +111,8 @@ void SpinImages::compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const {
       const double square = dx * dx + dy * dy + dz * dz;
       const double height = (dx * normal[0] + dy * normal[1] + dz * normal[2]) * per_radius;
       const double cosine = nx[k] * normal[0] + ny[k] * normal[1] + nz[k] * normal[2];
-      const int r = (9 * square >= radius2 ? 1 : 0) + (9 * square >= 4 * radius2 ? 1 : 0);
-      const int h = std::clamp(static_cast<int>((height + 1) * (0.5 * n_heights)), 0, n_heights - 1);
-      const int a = std::clamp(static_cast<int>((cosine + 1) * (0.5 * n_angles)), 0, n_angles - 1);
-      entries[static_cast<std::size_t>(i)] = square < radius2 ? (r * n_heights + h) * n_angles + a : outside;
+      const int entry = entry_of(square * per_radius * per_radius, height, cosine);
+      entries[static_cast<std::size_t>(i)] = square < radius2 ? entry : outside;
     }
     for (Eigen::Index i = 0; i < count; ++i)
       sums[static_cast<std::size_t>(entries[static_cast<std::size_t>(i)])] += areas_[first + i];
@@ -116,15 +122,6 @@ void SpinImages::compute(Index point, Eigen::Ref<Eigen::VectorXf> image) const {
 }
 
 namespace {
-
-/// Which entry of a spin image counts a neighbour.
-int entry_of(const Vec<3>& offset, const Vec<3>& normal, const Vec<3>& its_normal, double per_radius) {
-  const double square = offset.squaredNorm() * per_radius * per_radius, height = offset.dot(normal) * per_radius;
-  const int r = (9 * square >= 1 ? 1 : 0) + (9 * square >= 4 ? 1 : 0);
-  const int h = std::clamp(static_cast<int>((height + 1) * (0.5 * n_heights)), 0, n_heights - 1);
-  const int a = std::clamp(static_cast<int>((its_normal.dot(normal) + 1) * (0.5 * n_angles)), 0, n_angles - 1);
-  return (r * n_heights + h) * n_angles + a;
-}
 
 /// Spin images of what can be reached from a vertex along edges without leaving the ball around it.
 class ConnectedSpinImages {
@@ -136,12 +133,14 @@ class ConnectedSpinImages {
   void compute(Index point, double radius, std::vector<Index>& seen, Eigen::Ref<Eigen::VectorXf> image) const {
     image.setZero();
     const Vec<3> x = coordinates_.col(point), normal = normals_.col(point);
+    const double per_radius = 1 / radius;
     std::vector<Index> open{point};
     seen[point] = point;
     while (!open.empty()) {
       const Index v = open.back();
       open.pop_back();
-      image[entry_of(coordinates_.col(v) - x, normal, normals_.col(v), 1 / radius)] +=
+      const Vec<3> offset = (coordinates_.col(v) - x) * per_radius;
+      image[entry_of(offset.squaredNorm(), offset.dot(normal), normals_.col(v).dot(normal))] +=
           static_cast<float>(laplacian_.mass[v]);
       // The Laplacian has an entry for every edge.
       for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian_.stiffness, v); it; ++it) {

@@ -161,7 +161,7 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
     TrialObserver silent(observer_, activity);
     PhaseSeconds seconds;
     const ObservedPair<Dim> matched =
-        start.is_of_part ? paired_parts(placed.reference, placed.template_shape, pairs) : observed;
+        start.is_of_part ? paired_parts(observed, placed.reference, placed.template_shape, pairs) : observed;
     const CascadeResult<Dim> end = run_cascade<Dim>(d1, d2, trial, silent, {}, seconds, {}, pairs, matched);
     activity.next(steps_after);
     if (std::isfinite(end.levels.back().minimised.sum())) measure(end, d1, d2, observed, placement);

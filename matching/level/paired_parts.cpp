@@ -99,13 +99,12 @@ Evidence<Dim> evidence_near(const Shape<Dim>& shape, const Points<Dim>& points, 
 }  // namespace
 
 template <int Dim>
-ObservedPair<Dim> paired_parts(const Shape<Dim>& deformed, const Shape<Dim>& other,
+ObservedPair<Dim> paired_parts(ObservedPair<Dim> observed, const Shape<Dim>& deformed, const Shape<Dim>& other,
                                const std::vector<PairSet<Dim>>& sets) {
-  ObservedPair<Dim> parts = observed_pair(deformed, other);
   const auto found = std::ranges::find(sets, "alignment", &PairSet<Dim>::name);
-  if (found == sets.end() || found->pairs.pairs.size() < 2) return parts;
+  if (found == sets.end() || found->pairs.pairs.size() < 2) return observed;
   const std::vector<PointPair<Dim>>& pairs = found->pairs.pairs;
-  const bool deformed_is_whole = deformed.invented_share < other.invented_share;
+  const bool deformed_is_whole = surface_measure(observed_surface(deformed)) > surface_measure(observed_surface(other));
   Points<Dim> of_whole(Dim, static_cast<Eigen::Index>(pairs.size())), of_part = of_whole;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -115,12 +114,14 @@ ObservedPair<Dim> paired_parts(const Shape<Dim>& deformed, const Shape<Dim>& oth
   const Shape<Dim>&whole = deformed_is_whole ? deformed : other, &part = deformed_is_whole ? other : deformed;
   const Eigen::VectorXd limits =
       (longer * extents(observed_surface(part), of_part, reach * spacing(of_part))).cwiseMax(reach * spacing(of_whole));
-  (deformed_is_whole ? parts.reference : parts.template_shape) =
+  (deformed_is_whole ? observed.reference : observed.template_shape) =
       ObservedPart<Dim>(evidence_near(whole, of_whole, limits));
-  return parts;
+  return observed;
 }
 
-template ObservedPair<2> paired_parts<2>(const Shape<2>&, const Shape<2>&, const std::vector<PairSet<2>>&);
-template ObservedPair<3> paired_parts<3>(const Shape<3>&, const Shape<3>&, const std::vector<PairSet<3>>&);
+template ObservedPair<2> paired_parts<2>(ObservedPair<2>, const Shape<2>&, const Shape<2>&,
+                                         const std::vector<PairSet<2>>&);
+template ObservedPair<3> paired_parts<3>(ObservedPair<3>, const Shape<3>&, const Shape<3>&,
+                                         const std::vector<PairSet<3>>&);
 
 }  // namespace shellmatch

@@ -32,8 +32,8 @@ constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08
 // vouched for, the nearer are its limits to the usual ones.
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
 constexpr double alike = 0.4;
-constexpr double few_pairs = 0.75, most_pairs = 0.85;  // shares of the samples
-constexpr double much_invented = 0.5;                  // share of a shape's area
+constexpr double few_pairs = 0.75, enough_pairs = 0.85;  // shares of the samples
+constexpr double much_invented = 0.5;                    // share of a shape's area
 // Landmarks set by hand are wrong by less, a landmark on another limb by more.
 constexpr Limits landmark_distance{0.05, 0.15};
 constexpr double apart = 0.25;  // mean distance in diagonals, before a run
@@ -92,7 +92,7 @@ double vouched_share(const MatchSummary& summary) {
   const bool one_is_part = summary.reference.may_be_part() || summary.template_shape.may_be_part();
   const double clear = one_is_part ? clear_margin_of_part : clear_margin;
   return std::clamp(std::min((a->margin.value_or(clear) - 1) / (clear - 1),
-                             (a->pair_share.value_or(1) - few_pairs) / (most_pairs - few_pairs)),
+                             (a->pair_share.value_or(1) - few_pairs) / (enough_pairs - few_pairs)),
                     0.0, 1.0);
 }
 

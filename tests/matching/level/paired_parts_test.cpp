@@ -16,7 +16,6 @@ struct Ball {
   Ball() {
     whole.surface = test::mapped<3>(test::unit_sphere(4), [](const Vec<3>& x) { return Vec<3>(centre + 0.3 * x); });
     part.surface = whole.surface;
-    part.invented_share = 0.3;
     part.evidence.observed = part.evidence.unobserved = {whole.surface.vertices, {}};
     for (const auto& facet : whole.surface.facets)
       (whole.surface.vertices[facet[0]][2] > 0.5 ? part.evidence.observed : part.evidence.unobserved)
@@ -29,12 +28,16 @@ struct Ball {
   }
 };
 
+ObservedPair<3> paired(const Shape<3>& deformed, const Shape<3>& other, const std::vector<PairSet<3>>& sets) {
+  return paired_parts(observed_pair(deformed, other), deformed, other, sets);
+}
+
 TEST(PairedParts, OfTheWholeOnlyWhatIsNearPairsCounts) {
   const Ball ball;
   const Vec<3> above(0.5, 0.5, 0.8), below(0.5, 0.5, 0.2);
   for (const bool whole_first : {true, false}) {
     const auto parts =
-        whole_first ? paired_parts(ball.whole, ball.part, ball.sets) : paired_parts(ball.part, ball.whole, ball.sets);
+        whole_first ? paired(ball.whole, ball.part, ball.sets) : paired(ball.part, ball.whole, ball.sets);
     EXPECT_TRUE(parts.contains(above, above));
     EXPECT_FALSE(parts.contains(whole_first ? below : above, whole_first ? above : below));
   }
@@ -44,7 +47,7 @@ TEST(PairedParts, OfTheWholeOnlyWhatIsNearPairsCounts) {
 TEST(PairedParts, WhereThePartHasNoPairsTheWholeNeedsNone) {
   Ball ball;
   std::erase_if(ball.sets[0].pairs.pairs, [](const PointPair<3>& pair) { return pair.p[0] > 0.55; });
-  const ObservedPart<3> part = paired_parts(ball.whole, ball.part, ball.sets).reference;
+  const ObservedPart<3> part = paired(ball.whole, ball.part, ball.sets).reference;
   EXPECT_TRUE(part.contains(centre + 0.3 * Vec<3>(1, 0, 0.3).normalized()));
   EXPECT_TRUE(part.contains(centre + 0.3 * Vec<3>(-1, 0, 0.3).normalized()));
   EXPECT_FALSE(part.contains(centre + 0.3 * Vec<3>(-0.3, 0, -1).normalized()));
@@ -53,8 +56,8 @@ TEST(PairedParts, WhereThePartHasNoPairsTheWholeNeedsNone) {
 TEST(PairedParts, WithoutPairsOfTheSearchAllCounts) {
   Ball ball;
   ball.sets[0].name = "landmarks";
-  EXPECT_TRUE(paired_parts(ball.whole, ball.part, ball.sets).reference.is_all());
-  EXPECT_TRUE(paired_parts(ball.whole, ball.part, {}).reference.is_all());
+  EXPECT_TRUE(paired(ball.whole, ball.part, ball.sets).reference.is_all());
+  EXPECT_TRUE(paired(ball.whole, ball.part, {}).reference.is_all());
 }
 
 // What was made up of the whole stays so, and what has no partner is added.
@@ -64,7 +67,7 @@ TEST(PairedParts, GapsOfTheWholeRemain) {
   evidence.observed = evidence.unobserved = {ball.whole.surface.vertices, {}};
   for (const auto& facet : ball.whole.surface.facets)
     (ball.whole.surface.vertices[facet[0]][0] > 0.7 ? evidence.unobserved : evidence.observed).facets.push_back(facet);
-  const ObservedPart<3> part = paired_parts(ball.whole, ball.part, ball.sets).reference;
+  const ObservedPart<3> part = paired(ball.whole, ball.part, ball.sets).reference;
   EXPECT_TRUE(part.contains({0.5, 0.5, 0.8}));
   EXPECT_FALSE(part.contains({0.8, 0.5, 0.5}));
   EXPECT_FALSE(part.contains({0.5, 0.5, 0.2}));
