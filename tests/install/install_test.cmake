@@ -12,9 +12,14 @@ endfunction()
 # Information for a debugger takes long to write, and nobody debugs these. Without -O1 examples run longer than they
 # are built.
 set(flags -DCMAKE_CXX_FLAGS_DEBUG=-O1)
-if(SANITIZE)
-  list(APPEND flags -DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE})
+set(compiler_flags "")
+if(WERROR)
+  string(APPEND compiler_flags " -Wall -Wextra -Wpedantic -Wshadow -Wno-maybe-uninitialized -Wno-uninitialized -Werror")
 endif()
+if(SANITIZE)
+  string(APPEND compiler_flags " -fsanitize=${SANITIZE}")
+endif()
+list(APPEND flags "-DCMAKE_CXX_FLAGS=${compiler_flags}")
 
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/made-here)

@@ -15,7 +15,7 @@ class PageCase(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.browser = browser.Browser(width=1100, height=700)
+        cls.browser = browser.Browser(width=1100, height=450)
         cls.addClassCleanup(cls.browser.__exit__)
 
     def open(self, page):
