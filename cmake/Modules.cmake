@@ -10,7 +10,11 @@ target_compile_options(shellmatch_warnings INTERFACE
   # build have the same flags, so that they agree.
   -Wno-psabi)
 # Compilers that are newer than those of the supported systems warn of what nobody has seen.
-if(SHELLMATCH_WERROR AND NOT (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 15))
+set(shellmatch_werror ${SHELLMATCH_WERROR})
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 15)
+  set(shellmatch_werror OFF)
+endif()
+if(shellmatch_werror)
   target_compile_options(shellmatch_warnings INTERFACE -Werror)
 endif()
 add_library(shellmatch_flags INTERFACE)
