@@ -77,7 +77,8 @@ bool pairs_stay(Outcome<3>& pairs, Outcome<3>& poses, const AlignOptions& option
   return posed.template_distance > not_reached || is_more_alike(bent, posed);
 }
 
-// A part that was cut off where it is thin has small gaps, and no map of wholes.
+// A part that was cut off where it is thin has small gaps, and no map of wholes; a whole with holes may have large
+// ones.
 bool may_be_cut(const ShapePair<3>& shapes) {
   return std::max(shapes.reference.invented_share, shapes.template_shape.invented_share) > least_of_cut;
 }
@@ -92,10 +93,12 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
                                const AlignOptions& options, Trials<Dim>& trials, AlignmentFindings<Dim>& findings) {
   Outcome<Dim> outcome = choice_among(search_by_pairs(shapes, landmarks, options, findings), options, trials);
   if constexpr (Dim == 3) {
-    if (!outcome.search.is_of_part && outcome.search.n_landmarks == 0 && may_be_cut(shapes) && !is_clear(outcome)) {
-      const auto search = [&] { return search_partial_starts(shapes, landmarks, options); };
-      Outcome<3> of_part = choice_among(findings.by_pairs.next(search), options, trials);
-      if (is_clear(of_part)) return of_part;
+    if (outcome.search.n_landmarks == 0 && may_be_cut(shapes) && !is_clear(outcome)) {
+      const auto search = [&] {
+        return (outcome.search.is_of_part ? search_whole_starts : search_partial_starts)(shapes, landmarks, options);
+      };
+      Outcome<3> other = choice_among(findings.by_pairs.next(search), options, trials);
+      if (is_clear(other)) return other;
     }
     // Spectra do not tell the sides of a round shape apart; distances may. Where the spectra themselves differ, they
     // may not.

@@ -5,8 +5,10 @@
 #include "alignment/pairs/find_pairs.h"
 #include "alignment/partial/find_partial_pairs.h"
 #include "alignment/rigid/find_rigid_pairs.h"
+#include "base/error.h"
 #include "geometry/distance/buried_parts.h"
 #include "matching/alignment/choose_pose.h"
+#include "matching/level/observed_mask.h"
 
 #include <fmt/format.h>
 
@@ -64,6 +66,18 @@ bool are_spread(const std::vector<Landmark<3>>& landmarks, const Surface<3>& sur
   return of_landmarks >= least_share * variance(surface.vertices, [](const Vec<3>& x) { return x; });
 }
 
+/// Gives a start its pose. Pairs that a wrong map has brought together on a line are as good as none.
+template <int Dim>
+void set_pose(Start<Dim>& start, const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options,
+              Mirroring mirroring, LengthUnit unit) {
+  if (!start.is_usable()) return;
+  try {
+    start.alignment.pose = choose_pose<Dim>(pairs, options, mirroring, unit);
+  } catch (const InputError&) {
+    start.n_pairs = 0;
+  }
+}
+
 template <int Dim>
 Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& options, bool with_pairs) {
   Start<Dim> start;
@@ -71,9 +85,9 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
   start.score = std::max(0.0, candidate.score);  // rounding
   start.is_identity = candidate.is_identity && !candidate.is_mirrored;
   start.is_mirrored = candidate.is_mirrored;
+  set_pose(start, candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never,
+           LengthUnit::any);
   if (!start.is_usable()) return start;
-  start.alignment.pose =
-      choose_pose<Dim>(candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never);
   start.alignment.spread = spread;
   if (!with_pairs || !(options.weight > 0)) return start;
   std::vector<CorrespondingPointsIn<Dim>> pairs = candidate.pairs;
@@ -92,6 +106,14 @@ Surface<3> measured(const Shape<3>& shape) {
   return shape.buried_share > 0 ? with_buried(shape.evidence) : shape.evidence.observed;
 }
 
+/// Whether the first is the part: a shape with gaps is one of a shape without any, and of two with gaps the smaller
+/// one.
+bool is_part_of(const Shape<3>& one, const Surface<3>& of_one, const Shape<3>& other, const Surface<3>& of_other) {
+  const auto is_complete = [](const Shape<3>& shape) { return shape.invented_share <= least_of_cut; };
+  if (is_complete(one) != is_complete(other)) return is_complete(other);
+  return surface_measure(of_one) <= surface_measure(of_other);
+}
+
 double share_of_samples(std::size_t n_pairs, const PreparedSurface& sampled, const AlignmentOptions& options) {
   const std::size_t n_samples = std::min(static_cast<std::size_t>(options.pairs), sampled.surface.vertices.size());
   return static_cast<double>(n_pairs) / static_cast<double>(n_samples);
@@ -102,7 +124,7 @@ double share_of_samples(std::size_t n_pairs, const PreparedSurface& sampled, con
 StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                                      const AlignOptions& options) {
   const Surface<3> reference = measured(shapes.reference), template_surface = measured(shapes.template_shape);
-  const bool reference_is_part = surface_measure(reference) <= surface_measure(template_surface);
+  const bool reference_is_part = is_part_of(shapes.reference, reference, shapes.template_shape, template_surface);
   const auto exchange = [&](std::vector<CorrespondingPoints>& pairs) {
     if (!reference_is_part)
       for (CorrespondingPoints& pair : pairs) std::swap(pair.on_reference, pair.on_template);
@@ -128,18 +150,17 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
     start.score = candidate.score;
     start.order = candidate.order;
     start.landmark_distance = candidate.landmark_distance;
+    set_pose(start, candidate.pairs, options, Mirroring::never, LengthUnit::shared);
     if (!start.is_usable()) continue;
     start.alignment.is_of_part = true;
-    start.alignment.pose = choose_pose<3>(candidate.pairs, options, Mirroring::never, LengthUnit::shared);
     start.alignment.spread = spread_at(candidate.score, 0);
     if (options.weight > 0) start.alignment.pairs = as_landmarks<3>(candidate.pairs);
   }
   return search;
 }
 
-StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
-                             const AlignOptions& options) {
-  if (shapes.one_is_part()) return search_partial_starts(shapes, landmarks, options);
+StartSearch<3> search_whole_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+                                   const AlignOptions& options) {
   const std::vector<CorrespondingPoints> known = points_of(landmarks);
   const AutomaticPairs found =
       find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
@@ -157,17 +178,28 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
     if (search.searched_share = std::min(search.searched_share, prepared->share); prepared->share < 1)
       search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area",
                                          shape->source, 100 * prepared->share));
-  for (const PairCandidate& candidate : found.candidates) {
+  const ObservedPair<3> observed = observed_pair(shapes.reference, shapes.template_shape);
+  for (PairCandidate candidate : found.candidates) {
+    const std::size_t n_found = candidate.pairs.size();
+    if (shapes.one_is_part())
+      for (auto* pairs : {&candidate.pairs, &candidate.contradicting})
+        std::erase_if(*pairs,
+                      [&](const CorrespondingPoints& p) { return !observed.contains(p.on_reference, p.on_template); });
     const double n_telling =
         candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(candidate.n_landmarks) : 0;
     search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score, n_telling), options, true));
     search.starts.back().landmark_distance = candidate.landmark_distance;
     search.starts.back().order = candidate.order;
     search.starts.back().margin = candidate.margin;
-    search.starts.back().pair_share = share_of_samples(candidate.pairs.size(), found.reference, options.search);
+    search.starts.back().pair_share = share_of_samples(n_found, found.reference, options.search);
     if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
   }
   return search;
+}
+
+StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
+                             const AlignOptions& options) {
+  return (shapes.one_is_part() ? search_partial_starts : search_whole_starts)(shapes, landmarks, options);
 }
 
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>&, const AlignOptions& options) {

@@ -101,6 +101,29 @@ class Partial : public ::testing::Test {
     return sum / static_cast<double>(vertices.size()) / bounding_box(other->original.vertices).diagonal();
   }
 
+  // Few vertices and functions, which tell turned heads apart.
+  static ExperimentOptions search_options() {
+    ExperimentOptions o = options();
+    o.align.mode = AlignMode::automatic;
+    o.align.search.max_vertices = 1000;
+    o.align.search.pairs = 300;
+    o.align.search.functions = 60;
+    o.align.search.refined = 2;
+    o.align.bend = BendMode::never;
+    o.align.direction = MatchDirection::forward;
+    o.cascade.max_level = 3;
+    return o;
+  }
+  static Shape<3> sideways(double scale) {
+    OriginalShape<3> turned = reference->original;
+    for (Vec<3>& x : turned.vertices) x = scale * Vec<3>(-x[1], x[0], x[2]);
+    return make_shape(std::move(turned), "sideways");
+  }
+  struct Notes final : Observer {
+    void note(const std::string& text) override { all += text + "\n"; }
+    std::string all;
+  };
+
   const Vec<3> down{0, -1, 0};
   static inline std::unique_ptr<Shape<3>> reference, other;
   static inline std::unique_ptr<MatchResult<3>> whole_match;
@@ -176,22 +199,8 @@ TEST_F(Partial, ColumnsOfAnEarlierMatchingGo) {
 
 // Either shape may be the part, and a turn of either is found.
 TEST_F(Partial, ThePoseOfAPartIsSearched) {
-  struct Notes final : Observer {
-    void note(const std::string& text) override { all += text + "\n"; }
-    std::string all;
-  };
-  ExperimentOptions o = options();
-  o.align.mode = AlignMode::automatic;
-  o.align.search.max_vertices = 1000;
-  o.align.search.pairs = 300;
-  o.align.search.functions = 60;
-  o.align.search.refined = 2;
-  o.align.bend = BendMode::never;
-  o.align.direction = MatchDirection::forward;
-  o.cascade.max_level = 3;
-  OriginalShape<3> turned = reference->original;
-  for (Vec<3>& x : turned.vertices) x = Vec<3>(-x[1], x[0], x[2]);
-  const Shape<3> sideways = make_shape(std::move(turned), "sideways");
+  const ExperimentOptions o = search_options();
+  const Shape<3> sideways = Partial::sideways(1);
   const Shape<3> part = cut(*other, down, 1.0 / 3).shape;
   Notes notes, back;
   const AlignmentSummary onto_part = *align_shapes<3>({sideways, part}, {}, o, notes).summary,
@@ -212,6 +221,20 @@ TEST_F(Partial, ThePoseOfAPartIsSearched) {
   EXPECT_EQ(thin.summary.alignment->n_pairs, onto_part.n_pairs);
   thinly_cut.invented_share = 0.001;
   EXPECT_FALSE(align_shapes<3>({sideways, thinly_cut}, {}, o, notes).summary->is_of_part.has_value());
+}
+
+// No part of anything in that unit: what was made up is large, and the search of wholes is clear all the same.
+TEST_F(Partial, AWholeWithAHoleMayBeInAnotherUnit) {
+  const Shape<3> holed = cut(*other, down, 0.05).shape;
+  ASSERT_GT(holed.invented_share, least_of_part);
+  Notes notes;
+  const Alignment<3> found = align_shapes<3>({sideways(1000), holed}, {}, search_options(), notes);
+  EXPECT_FALSE(found.summary->is_of_part.has_value()) << notes.all;
+  EXPECT_NEAR(found.summary->angle, 90, 10) << notes.all;
+  EXPECT_NEAR(found.summary->scale, 1e-3, 1e-4);
+  EXPECT_GT(found.pairs.size(), 100u);
+  const ObservedPart<3> observed(holed.evidence);
+  for (const Landmark<3>& pair : found.pairs) EXPECT_TRUE(observed.contains(pair.on_template)) << pair.name;
 }
 
 TEST_F(Partial, TheDirectionIsChosenByThePartAlone) {
