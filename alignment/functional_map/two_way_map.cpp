@@ -5,7 +5,6 @@
 #include "geometry/distance/surface_distance.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -39,22 +38,6 @@ void put_rows(const Columns4& vectors, const VertexSet& set, double weight, Eige
         static_cast<float>(weight) * vectors.col(set.vertices[i]).head<3>();
 }
 
-/// The directions in which the spin images of both surfaces differ most, as columns.
-Eigen::MatrixXf main_components(const SpectralShape& shape_1, const SpectralShape& shape_2) {
-  // They hold four fifths of the variance.
-  constexpr Eigen::Index n_components = 12;
-  const Eigen::Index n_entries = shape_1.spin.rows();
-  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n_entries, n_entries);
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n_entries);
-  for (const SpectralShape* shape : {&shape_1, &shape_2}) {
-    const Eigen::MatrixXd spin = shape->spin.cast<double>();
-    mean += 0.5 * spin * shape->mass;
-    products += 0.5 * spin * shape->mass.asDiagonal() * spin.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products - mean * mean.transpose());
-  return solver.eigenvectors().rightCols(n_components).cast<float>();
-}
-
 }  // namespace
 
 ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralShape& shape_2,
@@ -75,7 +58,10 @@ ShapePairSpectra make_shape_pair(const SpectralShape& shape_1, const SpectralSha
                              [&](const auto& l) { return l.first == landmark.first || l.second == landmark.second; }))
       pair.landmarks.push_back(landmark);
   if (pair.landmarks.size() < n_least_landmarks) pair.landmarks.clear();
-  const Eigen::MatrixXf components = main_components(shape_1, shape_2);
+  constexpr Eigen::Index n_components = 12;  // they hold four fifths of the variance
+  const Eigen::MatrixXf* const images[] = {&shape_1.spin, &shape_2.spin};
+  const Eigen::VectorXd* const masses[] = {&shape_1.mass, &shape_2.mass};
+  const Eigen::MatrixXf components = main_components(images, masses, n_components);
   for (int s = 0; s < 2; ++s) {
     pair.local[s].noalias() = components.transpose() * pair.shapes[s]->spin;
     pair.functions[s] = pair.shapes[s]->functions.leftCols(pair.n_functions).transpose().cast<float>();

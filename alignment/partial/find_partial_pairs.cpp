@@ -2,9 +2,10 @@
 
 #include "alignment/functional_map/two_way_map.h"
 #include "alignment/pairs/confident_pairs.h"
-#include "alignment/partial/consistent_images.h"
 #include "alignment/partial/partial_map.h"
+#include "alignment/partial/partial_starts.h"
 #include "base/parallel.h"
+#include "geometry/distance/surface_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,151 +17,26 @@ namespace shellmatch {
 
 namespace {
 
-// Samples that are placed, and the places for them.
-constexpr std::size_t n_anchors = 16, n_places = 500;
-constexpr std::size_t n_ways = 2000;  // that are followed
-constexpr std::size_t n_refined = 24;
-constexpr std::size_t n_queries = 600, n_searched = 5000;
-// Starts and maps that differ by less at nearly all points, in roots of the whole's area, are one: those with one wrong
-// limb are cheap, too.
-constexpr double same = 0.2, nearly_all = 0.9;
-constexpr double off_border = 0.03;  // anchors' least distance from a border, where there are such
-constexpr double apart = 0.05;       // least distance of an anchor from the others
+constexpr std::size_t n_searched = 5000;
+constexpr std::size_t n_completed = 12;  // maps of all vertices
 
-struct Anchors {
-  std::vector<Index> vertices;
-  std::vector<std::vector<double>> distances;  ///< from each to all vertices
-};
+const std::vector<Index>& images_of(const PartialMap& map) { return map.images; }
+const std::vector<Index>& images_of(const SampledMap& map) { return map.last_images; }
+double order_of(const PartialMap& map) { return map.order(); }
+double order_of(const SampledMap& map) { return map.order; }
 
-/// Farthest point samples away from borders; the first is farthest from what lies deepest inside.
-Anchors choose_anchors(const PartialShape& part) {
-  std::vector<bool> allowed(part.n_vertices());
-  std::transform(part.to_border.begin(), part.to_border.end(), allowed.begin(),
-                 [](double d) { return d > off_border; });
-  if (std::count(allowed.begin(), allowed.end(), true) < static_cast<std::ptrdiff_t>(2 * n_anchors))
-    allowed.assign(allowed.size(), true);
-  const auto farthest = [&](const std::vector<double>& distances) {
-    Index best = no_index;
-    for (std::size_t v = 0; v < allowed.size(); ++v)
-      if (allowed[v] && (best == no_index || distances[v] > distances[best])) best = static_cast<Index>(v);
-    return best;
-  };
-  Anchors anchors;
-  std::vector<double> least(part.n_vertices(), std::numeric_limits<double>::infinity());
-  for (Index next = farthest(part.graph.distances_from(farthest(part.to_border))); anchors.vertices.size() < n_anchors;
-       next = farthest(least)) {
-    if (least[next] < apart) break;
-    anchors.vertices.push_back(next);
-    anchors.distances.push_back(part.graph.distances_from(next));
-    for (std::size_t v = 0; v < least.size(); ++v) least[v] = std::min(least[v], anchors.distances.back()[v]);
-  }
-  return anchors;
-}
-
-/// The whole with samples of it, and distances from them.
-struct Places {
-  std::vector<Index> vertices;
-  Eigen::MatrixXf distances;  ///< n_vertices x places
-  std::vector<int> nearest;   ///< of each vertex
-};
-
-Places places_on(const PartialShape& whole) {
-  Places places{farthest_point_samples(whole.graph, 0, n_places), {}, std::vector<int>(whole.n_vertices())};
-  places.distances.resize(static_cast<Eigen::Index>(whole.n_vertices()),
-                          static_cast<Eigen::Index>(places.vertices.size()));
-  parallel_for(
-      places.vertices.size(),
-      [&](std::size_t i) {
-        const std::vector<double> d = whole.graph.distances_from(places.vertices[i]);
-        places.distances.col(static_cast<Eigen::Index>(i)) =
-            Eigen::Map<const Eigen::VectorXd>(d.data(), static_cast<Eigen::Index>(d.size())).cast<float>();
-      },
-      8);
-  for (std::size_t v = 0; v < places.nearest.size(); ++v)
-    places.distances.row(static_cast<Eigen::Index>(v)).minCoeff(&places.nearest[v]);
-  return places;
-}
-
-SampleDistances sample_distances(const PartialShape& part, const PartialShape& whole, const Anchors& anchors,
-                                 const Places& places) {
-  const auto m = static_cast<Eigen::Index>(anchors.vertices.size()),
-             n = static_cast<Eigen::Index>(places.vertices.size());
-  SampleDistances samples{Eigen::MatrixXf(m, m), Eigen::MatrixXf(n, n), Eigen::MatrixXf::Constant(m, n, 2)};
-  for (Eigen::Index i = 0; i < n; ++i)
-    samples.on_whole.row(i) = places.distances.row(places.vertices[static_cast<std::size_t>(i)]);
-  parallel_for(
-      anchors.vertices.size(),
-      [&](std::size_t a) {
-        const auto row = static_cast<Eigen::Index>(a);
-        for (Eigen::Index b = 0; b < m; ++b)
-          samples.on_part(row, b) =
-              static_cast<float>(anchors.distances[a][anchors.vertices[static_cast<std::size_t>(b)]]);
-        const Eigen::VectorXf spin = part.spin.col(anchors.vertices[a]);
-        for (std::size_t v = 0; v < whole.n_vertices(); ++v) {
-          float& least = samples.unlikeness(row, places.nearest[v]);
-          least = std::min(least, (whole.spin.col(static_cast<Eigen::Index>(v)) - spin).squaredNorm());
-        }
-      },
-      1);
-  return samples;
-}
-
-/// The vertex of the whole whose distances from the images of the anchors are those of vertex q from the anchors; the
-/// nearer one is, the more it tells.
-Index place_by_distances(const Anchors& anchors, const Places& places, const std::vector<int>& images, Index q) {
-  constexpr float most = 0.3F, nearness = 0.1F;
-  Eigen::ArrayXf cost = Eigen::ArrayXf::Zero(places.distances.rows());
-  for (std::size_t a = 0; a < images.size(); ++a) {
-    const auto d = static_cast<float>(anchors.distances[a][q]);
-    cost += ((places.distances.col(images[a]).array() - d).abs().min(most) / (nearness + d)).square();
-  }
-  Index best = 0;
-  cost.minCoeff(&best);
-  return best;
-}
-
-Index nearest_vertex(const Surface<3>& surface, const Vec<3>& x) {
-  return static_cast<Index>(
-      std::ranges::min_element(surface.vertices, {}, [&](const Vec<3>& v) { return (v - x).squaredNorm(); }) -
-      surface.vertices.begin());
-}
-
-template <class Distance>
-double quantile_of(std::size_t n, double share, const Distance& distance) {
-  std::vector<double> d(n);
-  for (std::size_t i = 0; i < n; ++i) d[i] = distance(i);
-  const auto at = d.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(n));
-  std::nth_element(d.begin(), at, d.end());
-  return *at;
-}
-
-template <class Distance>
-double median_of(std::size_t n, const Distance& distance) {
-  return quantile_of(n, 0.5, distance);
-}
-
-std::vector<SampleImages> distinct(const std::vector<SampleImages>& all, const Eigen::MatrixXf& on_whole) {
-  std::vector<SampleImages> kept;
-  for (const SampleImages& images : all) {
-    const auto is_same = [&](const SampleImages& other) {
-      return quantile_of(images.images.size(), nearly_all,
-                         [&](std::size_t a) { return on_whole(images.images[a], other.images[a]); }) < same;
-    };
-    if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(images);
-    if (kept.size() == n_refined) break;
-  }
-  return kept;
-}
-
-std::vector<PartialMap> distinct(std::vector<PartialMap> maps, const PartialShape& whole) {
-  std::stable_sort(maps.begin(), maps.end(),
-                   [](const PartialMap& a, const PartialMap& b) { return a.order() < b.order(); });
-  std::vector<PartialMap> kept;
-  for (PartialMap& map : maps) {
-    const auto is_same = [&](const PartialMap& other) {
-      return quantile_of(map.images.size(), nearly_all, [&](std::size_t v) {
-               return (whole.surface.vertices[map.images[v]] - whole.surface.vertices[other.images[v]]).norm();
-             }) < same;
+/// The best of those that are the same, the best first.
+template <class Map>
+std::vector<Map> distinct(std::vector<Map> maps, const PartialShape& whole) {
+  std::ranges::stable_sort(maps, {}, [](const Map& map) { return order_of(map); });
+  std::vector<Map> kept;
+  for (Map& map : maps) {
+    const auto is_same = [&](const Map& other) {
+      std::vector<double> apart;
+      for (std::size_t i = 0; i < images_of(map).size(); ++i)
+        apart.push_back(
+            (whole.surface.vertices[images_of(map)[i]] - whole.surface.vertices[images_of(other)[i]]).norm());
+      return quantile(std::move(apart), nearly_all) < same_map;
     };
     if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(std::move(map));
   }
@@ -194,59 +70,137 @@ std::vector<CorrespondingPoints> confident_pairs_of(const PartialShape& part, co
   return pairs;
 }
 
+/// The whole, with what does not depend on the part.
+struct SearchedWhole {
+  explicit SearchedWhole(const Surface<3>& surface, const AlignmentOptions& options)
+      : unit(std::sqrt(surface_measure(surface))),
+        of_whole(make_partial_whole(surface, unit, options)),
+        places(places_on(shape)),
+        samples(farthest_point_samples(shape.graph, places.vertices.front(), n_searched)) {}
+  double unit;
+  PartialWhole of_whole;
+  const PartialShape& shape = of_whole.shape;
+  Places places;
+  std::vector<Index> samples;
+};
+
+/// Distinct maps of the part after it has been scaled, the best first.
+struct ScaledSearch {
+  double scale;
+  PartialShape part;
+  std::vector<PartialMap> maps;
+
+  double order() const { return maps.front().order(); }
+};
+
+ScaledSearch search_scaled(const Surface<3>& surface, double scale, const SearchedWhole& whole,
+                           const AlignmentOptions& options) {
+  ScaledSearch search{scale, make_partial_shape(surface, whole.unit / scale, options, whole.of_whole.components), {}};
+  PartialStarts starts = partial_starts(search.part, whole.shape, whole.places);
+  constexpr std::size_t n_schedules = std::size(partial_schedules);
+  std::vector<SampledMap> sampled(n_schedules * starts.images.size());
+  parallel_for(
+      sampled.size(),
+      [&](std::size_t k) {
+        sampled[k] = refine_partial_map(search.part, whole.shape, starts.queries, starts.images[k / n_schedules],
+                                        whole.samples, partial_schedules[k % n_schedules]);
+      },
+      1);
+  sampled = distinct(std::move(sampled), whole.shape);
+  sampled.resize(std::min(sampled.size(), n_completed));
+  search.maps.resize(sampled.size());
+  parallel_for(
+      sampled.size(),
+      [&](std::size_t i) { search.maps[i] = complete_map(search.part, whole.shape, starts.queries, sampled[i]); }, 1);
+  search.maps = distinct(std::move(search.maps), whole.shape);
+  return search;
+}
+
+/// The least margin_between() the first map and others; infinite without.
+double margin_of(const ScaledSearch& search, const PartialShape& whole) {
+  double margin = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < search.maps.size(); ++i)
+    margin = std::min(margin, margin_between(search.part, whole, search.maps[0], search.maps[i], same_map));
+  return margin;
+}
+
+/// The median of lengths on the whole over those on the part, between samples near each other and their images.
+double stretch_of(const ScaledSearch& search, const PartialShape& whole) {
+  constexpr std::size_t n_samples = 120;
+  constexpr double nearest = 0.15, farthest = 0.4;
+  const PartialShape& part = search.part;
+  const std::vector<Index>& images = search.maps.front().images;
+  const std::vector<Index> samples = farthest_point_samples(part.graph, 0, n_samples);
+  std::vector<std::vector<double>> ratios(samples.size());
+  parallel_for(
+      samples.size(),
+      [&](std::size_t i) {
+        const std::vector<double> on_part = part.graph.distances_from(samples[i]),
+                                  on_whole = whole.graph.distances_from(images[samples[i]]);
+        for (const Index v : samples)
+          if (on_part[v] > nearest && on_part[v] < farthest) ratios[i].push_back(on_whole[images[v]] / on_part[v]);
+      },
+      8);
+  std::vector<double> all;
+  for (const auto& some : ratios) all.insert(all.end(), some.begin(), some.end());
+  return all.empty() ? 1 : quantile(std::move(all), 0.5);
+}
+
+/// Begins at a scale, and goes on with those that maps suggest as long as that is better.
+ScaledSearch search_from(double scale, const Surface<3>& surface, const SearchedWhole& whole,
+                         const AlignmentOptions& options) {
+  constexpr int n_most = 4;
+  constexpr double same_scale = 1.04;
+  ScaledSearch best = search_scaled(surface, scale, whole, options);
+  for (int k = 1; k < n_most; ++k) {
+    const double stretch = stretch_of(best, whole.shape);
+    if (!(stretch > 0) || std::max(stretch, 1 / stretch) < same_scale) break;
+    ScaledSearch next = search_scaled(surface, best.scale * stretch, whole, options);
+    if (!(next.order() < best.order())) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
 }  // namespace
 
 PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>& whole_surface,
                                 const AlignmentOptions& options, std::span<const CorrespondingPoints> landmarks) {
+  // Other individuals are larger or smaller.
+  constexpr double other_scales[] = {1.25, 0.8};
+  constexpr double clear_margin = 1.2;
   PartialPairs result;
-  std::optional<PartialShape> shapes[2];
-  result.whole = prepare_surface(whole_surface, options);
-  const double unit = std::sqrt(surface_measure(result.whole.surface));
   for_both([&](int s) {
-    if (s == 0) result.part = prepare_surface(part_surface, options);
-    shapes[s].emplace(make_partial_shape(s == 0 ? result.part.surface : result.whole.surface, unit, options));
+    (s == 0 ? result.part : result.whole) = prepare_surface(s == 0 ? part_surface : whole_surface, options);
   });
-  const PartialShape &part = *shapes[0], &whole = *shapes[1];
-  const Anchors anchors = choose_anchors(part);
-  const Places places = places_on(whole);
-  const SampleDistances samples = sample_distances(part, whole, anchors, places);
-  const std::vector<SampleImages> starts = distinct(consistent_images(samples, n_ways), samples.on_whole);
-  const std::vector<Index> queries = farthest_point_samples(part.graph, anchors.vertices.front(), n_queries);
-  const std::vector<Index> searched = farthest_point_samples(whole.graph, places.vertices.front(), n_searched);
-  // The last start is the surfaces as they lie.
-  constexpr std::size_t n_schedules = std::size(partial_schedules);
-  std::vector<PartialMap> maps(n_schedules * (starts.size() + 1));
-  parallel_for(
-      maps.size(),
-      [&](std::size_t k) {
-        const std::size_t i = k / n_schedules;
-        std::vector<Index> images;
-        for (const Index q : queries)
-          images.push_back(i < starts.size() ? place_by_distances(anchors, places, starts[i].images, q)
-                                             : nearest_vertex(whole.surface, part.surface.vertices[q]));
-        maps[k] =
-            refine_partial_map(part, whole, queries, std::move(images), searched, partial_schedules[k % n_schedules]);
-      },
-      1);
-  maps = distinct(std::move(maps), whole);
+  const SearchedWhole whole(result.whole.surface, options);
+  ScaledSearch best = search_from(1, result.part.surface, whole, options);
+  if (margin_of(best, whole.shape) < clear_margin)
+    for (const double scale : other_scales)
+      if (ScaledSearch other = search_from(scale, result.part.surface, whole, options); other.order() < best.order())
+        best = std::move(other);
+  const double unit_of_part = whole.unit / best.scale;
+  result.scale = best.scale;
   const auto landmark_distance = [&](const PartialMap& map) {
-    return median_of(landmarks.size(), [&](std::size_t i) {
-      const Index image = map.images[nearest_vertex(result.part.surface, landmarks[i].on_reference)];
-      return (result.whole.surface.vertices[image] - landmarks[i].on_template).norm() / unit;
-    });
+    std::vector<double> distances;
+    for (const CorrespondingPoints& l : landmarks) {
+      const Index image = map.images[nearest_vertex(result.part.surface, l.on_reference)];
+      distances.push_back((result.whole.surface.vertices[image] - l.on_template).norm() / whole.unit);
+    }
+    return quantile(std::move(distances), 0.5);
   };
-  if (landmarks.size() >= n_least_landmarks) std::ranges::stable_sort(maps, {}, landmark_distance);
-  result.margin = std::numeric_limits<double>::infinity();
-  for (const PartialMap& map : maps) {
+  const bool by_landmarks = landmarks.size() >= n_least_landmarks;
+  if (by_landmarks) std::ranges::stable_sort(best.maps, {}, landmark_distance);
+  result.margin = margin_of(best, whole.shape);
+  for (const PartialMap& map : best.maps) {
     PartialCandidate& candidate = result.candidates.emplace_back(map.total(), map.order());
     candidate.map = map.images;
-    candidate.pairs = confident_pairs_of(part, whole, map, options);
+    candidate.pairs = confident_pairs_of(best.part, whole.shape, map, options);
     for (CorrespondingPoints& pair : candidate.pairs) {
-      pair.on_reference *= unit;
-      pair.on_template *= unit;
+      pair.on_reference *= unit_of_part;
+      pair.on_template *= whole.unit;
     }
-    if (landmarks.size() >= n_least_landmarks) candidate.landmark_distance = landmark_distance(map);
-    if (&map != &maps[0]) result.margin = std::min(result.margin, margin_between(part, whole, maps[0], map, same));
+    if (by_landmarks) candidate.landmark_distance = landmark_distance(map);
   }
   return result;
 }

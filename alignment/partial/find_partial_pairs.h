@@ -24,15 +24,16 @@ struct PartialCandidate {
 
 struct PartialPairs {
   PreparedSurface part, whole;
+  double scale = 1;  ///< of the part, with which it is like the whole: the ratio of the sizes of two individuals
   std::vector<PartialCandidate>
       candidates;     ///< at least one, ascending by order; where landmarks tell, by their distance
   double margin = 0;  ///< the least margin_between() the first and others; infinite without
 };
 
-/// Pairs between a surface with borders and one of which it is a part, both in the same unit of length.
-/// docs/alignment.md describes the steps. The result does not depend on the number of threads. \param landmarks known
-/// pairs, those on the part as on_reference; four or more order the candidates \throws InputError for surfaces without
-/// area or with coordinates that are not finite
+/// Pairs between a surface with borders and one of which it is a part, or a part of another individual of half to twice
+/// the size. docs/alignment.md describes the steps. The result does not depend on the number of threads. \param
+/// landmarks known pairs, those on the part as on_reference; four or more order the candidates \throws InputError for
+/// surfaces without area or with coordinates that are not finite
 PartialPairs find_partial_pairs(const Surface<3>& part, const Surface<3>& whole, const AlignmentOptions& options = {},
                                 std::span<const CorrespondingPoints> landmarks = {});
 

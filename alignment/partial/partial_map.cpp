@@ -29,7 +29,8 @@ std::vector<Index> border_vertices(const Surface<3>& surface) {
 
 }  // namespace
 
-PartialShape make_partial_shape(Surface<3> surface, double unit, const AlignmentOptions& options) {
+PartialShape make_partial_shape(Surface<3> surface, double unit, const AlignmentOptions& options,
+                                const Eigen::MatrixXf& components) {
   for (Vec<3>& x : surface.vertices) x /= unit;
   const SurfaceLaplacian laplacian = surface_laplacian(surface, options.mollification);
   const auto n = static_cast<int>(surface.vertices.size());
@@ -41,8 +42,20 @@ PartialShape make_partial_shape(Surface<3> surface, double unit, const Alignment
   EdgeGraph graph(surface);
   std::vector<double> to_border(surface.vertices.size(), std::numeric_limits<double>::infinity());
   for (const Index v : border_vertices(surface)) graph.lower_distances(v, to_border);
-  return {std::move(surface),      std::move(graph), laplacian.mass,      std::move(spectrum),
-          std::move(coefficients), std::move(spin),  std::move(to_border)};
+  Eigen::MatrixXf local;
+  if (components.size() > 0) local = components.transpose() * spin;
+  return {std::move(surface),      std::move(graph), laplacian.mass,   std::move(spectrum),
+          std::move(coefficients), std::move(spin),  std::move(local), std::move(to_border)};
+}
+
+PartialWhole make_partial_whole(Surface<3> surface, double unit, const AlignmentOptions& options) {
+  constexpr Eigen::Index n_components = 24;
+  PartialWhole whole{make_partial_shape(std::move(surface), unit, options), {}};
+  const Eigen::MatrixXf* const images[] = {&whole.shape.spin};
+  const Eigen::VectorXd* const masses[] = {&whole.shape.mass};
+  whole.components = main_components(images, masses, n_components);
+  whole.shape.local = whole.components.transpose() * whole.shape.spin;
+  return whole;
 }
 
 namespace {
@@ -60,11 +73,11 @@ Features columns(const Features& features, const std::vector<Index>& at) {
 
 /// Functions, normals and spin images of a surface, one below the other.
 Features features_of(const PartialShape& shape, const Eigen::MatrixXd& functions, const Rows3& coordinates) {
-  Features features(functions.cols() + 3 + shape.spin.rows(), functions.rows());
+  Features features(functions.cols() + 3 + shape.local.rows(), functions.rows());
   features.topRows(functions.cols()) = functions.transpose().cast<float>();
   features.middleRows(functions.cols(), 3) =
       normal_weight * vertex_normals(shape.surface.facets, coordinates).transpose().cast<float>();
-  features.bottomRows(shape.spin.rows()) = spin_weight * shape.spin;
+  features.bottomRows(shape.local.rows()) = spin_weight * shape.local;
   return features;
 }
 
@@ -91,6 +104,11 @@ void embed(const PartialShape& part, const PartialShape& whole, const std::vecto
   map.on_whole = features_of(whole, own, own * whole.coefficients.topRows(k));
 }
 
+/// Nearer a border than the radius of spin images, these lack what was cut away.
+double trust_near_border(const PartialShape& part, Index v) {
+  return std::clamp(part.to_border[v] / part_spin_radius, 0.125, 1.0);
+}
+
 /// Over the vertices v of the part for which is_counted(v).
 void score(const PartialShape& part, const PartialShape& whole, const auto& is_counted, PartialMap& map) {
   const Eigen::Index k = whole.spectrum.values.size();
@@ -108,7 +126,7 @@ void score(const PartialShape& part, const PartialShape& whole, const auto& is_c
     if (!is_counted(v)) continue;
     const auto at = static_cast<Eigen::Index>(v);
     const Index image = map.images[v];
-    const double weight = part.mass[at] * std::clamp(part.to_border[v] / part_spin_radius, 0.125, 1.0);
+    const double weight = part.mass[at] * trust_near_border(part, static_cast<Index>(v));
     weights += weight;
     difference += weight * (map.on_part.col(at).head(k) - map.on_whole.col(image).head(k)).squaredNorm();
     squares += weight * map.on_whole.col(image).head(k).squaredNorm();
@@ -120,20 +138,54 @@ void score(const PartialShape& part, const PartialShape& whole, const auto& is_c
   map.orientation /= weights;
 }
 
+double order_of_samples(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
+                        const std::vector<Index>& images, const PartialMap& map) {
+  const Eigen::Index k = whole.spectrum.values.size();
+  PartialMap sampled;
+  double difference = 0, squares = 0, weights = 0;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const double weight = trust_near_border(part, queries[i]);
+    const auto on_part = map.on_part.col(queries[i]), on_whole = map.on_whole.col(images[i]);
+    weights += weight;
+    difference += weight * (on_part.head(k) - on_whole.head(k)).squaredNorm();
+    squares += weight * on_whole.head(k).squaredNorm();
+    sampled.spin += weight * (part.spin.col(queries[i]) - whole.spin.col(images[i])).squaredNorm();
+    sampled.orientation +=
+        weight * (on_part.segment(k, 3) - on_whole.segment(k, 3)).squaredNorm() / (4 * normal_weight * normal_weight);
+  }
+  sampled.functions = std::sqrt(difference / squares);
+  sampled.spin /= weights;
+  sampled.orientation /= weights;
+  return sampled.order();
+}
+
 }  // namespace
 
-PartialMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
+SampledMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
                               std::vector<Index> images, const std::vector<Index>& samples,
                               const PartialSchedule& schedule) {
   PartialMap map;
   const auto n_functions = static_cast<int>(whole.spectrum.values.size());
-  for (const int step : steps) {
-    if (step < schedule.first) continue;
-    embed(part, whole, queries, images, std::min(step, n_functions), schedule.share, map);
+  const auto next_images = [&](int k) {
+    embed(part, whole, queries, images, std::min(k, n_functions), schedule.share, map);
     const std::vector<Index> nearest = nearest_features(columns(map.on_whole, samples), columns(map.on_part, queries));
-    for (std::size_t i = 0; i < images.size(); ++i) images[i] = samples[nearest[i]];
-  }
-  embed(part, whole, queries, images, n_functions, schedule.share, map);
+    std::vector<Index> next;
+    for (const Index at : nearest) next.push_back(samples[at]);
+    return next;
+  };
+  for (const int step : steps)
+    if (step >= schedule.first) images = next_images(step);
+  SampledMap result{std::move(images), {}, schedule.share, 0};
+  images = result.images;
+  result.last_images = next_images(n_functions);
+  result.order = order_of_samples(part, whole, queries, result.last_images, map);
+  return result;
+}
+
+PartialMap complete_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
+                        const SampledMap& sampled) {
+  PartialMap map;
+  embed(part, whole, queries, sampled.images, whole.spectrum.values.size(), sampled.share, map);
   map.images = nearest_features(map.on_whole, map.on_part);
   score(
       part, whole, [](std::size_t) { return true; }, map);

@@ -27,16 +27,25 @@ struct PartialShape {
   EdgeGraph graph;
   Eigen::VectorXd mass;  ///< n
   LaplacianEigenpairs
-      spectrum;          ///< derivatives across borders vanish; k as the options say, or less on a small surface
-  Rows3 coefficients;    ///< k x 3: functions * coefficients are the smoothed coordinates
-  Eigen::MatrixXf spin;  ///< 96 x n, spin_images()
+      spectrum;           ///< derivatives across borders vanish; k as the options say, or less on a small surface
+  Rows3 coefficients;     ///< k x 3: functions * coefficients are the smoothed coordinates
+  Eigen::MatrixXf spin;   ///< 96 x n, spin_images()
+  Eigen::MatrixXf local;  ///< p x n: main components of those of the whole
   std::vector<double> to_border;  ///< n: along edges; infinite on a closed surface
 
   std::size_t n_vertices() const { return surface.vertices.size(); }
 };
 
-/// \pre connected, every vertex has a facet \param unit length of the common unit
-PartialShape make_partial_shape(Surface<3> surface, double unit, const AlignmentOptions& options);
+/// \pre connected, every vertex has a facet \param unit length of the common unit \param components of the whole's spin
+/// images, 96 x p; empty: `local` is empty
+PartialShape make_partial_shape(Surface<3> surface, double unit, const AlignmentOptions& options,
+                                const Eigen::MatrixXf& components = {});
+
+struct PartialWhole {
+  PartialShape shape;
+  Eigen::MatrixXf components;  ///< of its spin images
+};
+PartialWhole make_partial_whole(Surface<3> surface, double unit, const AlignmentOptions& options);
 
 struct PartialMap {
   std::vector<Index> images;   ///< of all vertices of the part, vertices of the whole
@@ -46,7 +55,8 @@ struct PartialMap {
   double functions = 0, spin = 0, orientation = 0;
 
   double total() const { return functions + spin + orientation; }
-  /// What tells right from wrong among maps of the same two surfaces, as MapScore::distinction().
+  /// What tells right from wrong among maps of the same two surfaces, whatever the scale of the part, as
+  /// MapScore::distinction().
   double order() const { return (functions + orientation) * spin; }
 };
 
@@ -64,11 +74,23 @@ struct PartialSchedule {
 /// the whole have derivatives across the border, which take more functions of the part.
 inline constexpr PartialSchedule partial_schedules[] = {{12, 1.5}, {32, 2}};
 
+/// What a refinement finds for samples of the part.
+struct SampledMap {
+  std::vector<Index> images;  ///< of the samples, before the last functional map, which is of these
+  std::vector<Index> last_images;
+  double share = 1;  ///< of the schedule
+  double order = 0;  ///< that of a PartialMap, of the samples, and with normals of smoothed coordinates
+};
+
 /// Alternates nearest neighbours and functional maps with more and more functions, and normals and spin images beside
-/// them. \param queries vertices of the part, well spread, and \param images theirs on the whole \param samples
-/// vertices of the whole, well spread, that are searched until the last step
-PartialMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
+/// them. \param queries samples of the part, well spread, and \param images theirs on the whole \param samples
+/// vertices of the whole, well spread, that are searched
+SampledMap refine_partial_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
                               std::vector<Index> images, const std::vector<Index>& samples,
                               const PartialSchedule& schedule);
+
+/// The same map of all vertices.
+PartialMap complete_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
+                        const SampledMap& map);
 
 }  // namespace shellmatch

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 
@@ -180,6 +181,21 @@ Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& l
     }
   });
   return images / std::sqrt(static_cast<float>(radii.size()));
+}
+
+Eigen::MatrixXf main_components(std::span<const Eigen::MatrixXf* const> images,
+                                std::span<const Eigen::VectorXd* const> masses, Eigen::Index n) {
+  const Eigen::Index n_entries = images[0]->rows();
+  const double share = 1 / static_cast<double>(images.size());
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(n_entries, n_entries);
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n_entries);
+  for (std::size_t s = 0; s < images.size(); ++s) {
+    const Eigen::MatrixXd image = images[s]->cast<double>();
+    mean += share * image * *masses[s];
+    products += share * image * masses[s]->asDiagonal() * image.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(products - mean * mean.transpose());
+  return solver.eigenvectors().rightCols(n).cast<float>();
 }
 
 }  // namespace shellmatch

@@ -49,4 +49,9 @@ class SpinImages {
 Eigen::MatrixXf spin_images(const Surface<3>& surface, const SurfaceLaplacian& laplacian,
                             std::span<const double> radii);
 
+/// The n directions, as columns, in which the images of some surfaces differ most, the main one last. \param images
+/// entries x vertices \param masses of the vertices, with sum 1 on each surface
+Eigen::MatrixXf main_components(std::span<const Eigen::MatrixXf* const> images,
+                                std::span<const Eigen::VectorXd* const> masses, Eigen::Index n);
+
 }  // namespace shellmatch

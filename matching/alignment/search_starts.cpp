@@ -140,8 +140,9 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
                         landmarks_tell ? landmarks.size() : 0};
   search.is_of_part = true;
   const Shape<3>& part = reference_is_part ? shapes.reference : shapes.template_shape;
-  search.notes.push_back(
-      fmt::format("{} is searched as a part of the other shape, without what was made up", part.source));
+  search.notes.push_back(fmt::format("{} is searched as a part of the other shape, without what was made up{}",
+                                     part.source,
+                                     found.scale == 1 ? "" : fmt::format(", and scaled by {:.3g}", found.scale)));
   for (PartialCandidate& candidate : found.candidates) {
     exchange(candidate.pairs);
     Start<3>& start = search.starts.emplace_back();
@@ -150,7 +151,8 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
     start.score = candidate.score;
     start.order = candidate.order;
     start.landmark_distance = candidate.landmark_distance;
-    set_pose(start, candidate.pairs, options, Mirroring::never, LengthUnit::shared);
+    set_pose(start, candidate.pairs, options, Mirroring::never,
+             found.scale == 1 ? LengthUnit::shared : LengthUnit::any);
     if (!start.is_usable()) continue;
     start.alignment.is_of_part = true;
     start.alignment.spread = spread_at(candidate.score, 0);

@@ -91,6 +91,19 @@ TEST(FindPartialPairs, HalfOfAHandIsFoundOnAWholeOne) {
   EXPECT_LT(Eigen::AngleAxisd(pose.rotation.transpose() * turn()).angle(), 0.4);
 }
 
+TEST(FindPartialPairs, APartOfALargerIndividualIsFound) {
+  Truth truth;
+  const double size = 1.4;
+  for (Vec<3>& x : truth.part.vertices) x *= size;
+  for (CorrespondingPoints& p : truth.points) p.on_reference *= size;
+  const PartialPairs found = find_partial_pairs(truth.part, truth.whole);
+  EXPECT_NEAR(found.scale * size, 1, 0.05);
+  EXPECT_LT(error_of_share(found, truth, 0.5), 0.08);
+  ASSERT_GT(found.candidates[0].pairs.size(), 100u);
+  const Pose pose = fit_pose(found.candidates[0].pairs, PoseKind::similarity);
+  EXPECT_NEAR(pose.scale * size, 1, 0.1);
+}
+
 TEST(FindPartialPairs, LandmarksOrderWhatIsFound) {
   const Truth truth;
   const PartialPairs found = find_partial_pairs(truth.part, truth.whole);
