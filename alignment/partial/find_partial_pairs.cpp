@@ -162,6 +162,14 @@ ScaledSearch search_from(double scale, const Surface<3>& surface, const Searched
   return best;
 }
 
+/// The power of ten that makes the part about as large as the whole, where no part of it could be so large or small:
+/// files are in millimetres, centimetres or metres.
+double scale_of_unit(const Surface<3>& part, const Surface<3>& whole) {
+  constexpr double least = 0.02, most = 3, typical = 0.6;
+  const double ratio = bounding_box(part.vertices).diagonal() / bounding_box(whole.vertices).diagonal();
+  return ratio > least && ratio < most ? 1 : std::pow(10, std::round(std::log10(typical / ratio)));
+}
+
 }  // namespace
 
 PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>& whole_surface,
@@ -174,10 +182,12 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
     (s == 0 ? result.part : result.whole) = prepare_surface(s == 0 ? part_surface : whole_surface, options);
   });
   const SearchedWhole whole(result.whole.surface, options);
-  ScaledSearch best = search_from(1, result.part.surface, whole, options);
+  const double unit_scale = scale_of_unit(result.part.surface, result.whole.surface);
+  ScaledSearch best = search_from(unit_scale, result.part.surface, whole, options);
   if (margin_of(best, whole.shape) < clear_margin)
     for (const double scale : other_scales)
-      if (ScaledSearch other = search_from(scale, result.part.surface, whole, options); other.order() < best.order())
+      if (ScaledSearch other = search_from(scale * unit_scale, result.part.surface, whole, options);
+          other.order() < best.order())
         best = std::move(other);
   const double unit_of_part = whole.unit / best.scale;
   result.scale = best.scale;
