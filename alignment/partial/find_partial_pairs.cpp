@@ -75,11 +75,11 @@ struct SearchedWhole {
   explicit SearchedWhole(const Surface<3>& surface, const AlignmentOptions& options)
       : unit(std::sqrt(surface_measure(surface))),
         of_whole(make_partial_whole(surface, unit, options)),
-        places(places_on(shape)),
-        samples(farthest_point_samples(shape.graph, places.vertices.front(), n_searched)) {}
+        places(places_on(of_whole.shape)),
+        samples(farthest_point_samples(of_whole.shape.graph, places.vertices.front(), n_searched)) {}
+  const PartialShape& shape() const { return of_whole.shape; }
   double unit;
   PartialWhole of_whole;
-  const PartialShape& shape = of_whole.shape;
   Places places;
   std::vector<Index> samples;
 };
@@ -96,23 +96,23 @@ struct ScaledSearch {
 ScaledSearch search_scaled(const Surface<3>& surface, double scale, const SearchedWhole& whole,
                            const AlignmentOptions& options) {
   ScaledSearch search{scale, make_partial_shape(surface, whole.unit / scale, options, whole.of_whole.components), {}};
-  PartialStarts starts = partial_starts(search.part, whole.shape, whole.places);
+  PartialStarts starts = partial_starts(search.part, whole.shape(), whole.places);
   constexpr std::size_t n_schedules = std::size(partial_schedules);
   std::vector<SampledMap> sampled(n_schedules * starts.images.size());
   parallel_for(
       sampled.size(),
       [&](std::size_t k) {
-        sampled[k] = refine_partial_map(search.part, whole.shape, starts.queries, starts.images[k / n_schedules],
+        sampled[k] = refine_partial_map(search.part, whole.shape(), starts.queries, starts.images[k / n_schedules],
                                         whole.samples, partial_schedules[k % n_schedules]);
       },
       1);
-  sampled = distinct(std::move(sampled), whole.shape);
+  sampled = distinct(std::move(sampled), whole.shape());
   sampled.resize(std::min(sampled.size(), n_completed));
   search.maps.resize(sampled.size());
   parallel_for(
       sampled.size(),
-      [&](std::size_t i) { search.maps[i] = complete_map(search.part, whole.shape, starts.queries, sampled[i]); }, 1);
-  search.maps = distinct(std::move(search.maps), whole.shape);
+      [&](std::size_t i) { search.maps[i] = complete_map(search.part, whole.shape(), starts.queries, sampled[i]); }, 1);
+  search.maps = distinct(std::move(search.maps), whole.shape());
   return search;
 }
 
@@ -153,7 +153,7 @@ ScaledSearch search_from(double scale, const Surface<3>& surface, const Searched
   constexpr double same_scale = 1.04;
   ScaledSearch best = search_scaled(surface, scale, whole, options);
   for (int k = 1; k < n_most; ++k) {
-    const double stretch = stretch_of(best, whole.shape);
+    const double stretch = stretch_of(best, whole.shape());
     if (!(stretch > 0) || std::max(stretch, 1 / stretch) < same_scale) break;
     ScaledSearch next = search_scaled(surface, best.scale * stretch, whole, options);
     if (!(next.order() < best.order())) break;
@@ -184,7 +184,7 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
   const SearchedWhole whole(result.whole.surface, options);
   const double unit_scale = scale_of_unit(result.part.surface, result.whole.surface);
   ScaledSearch best = search_from(unit_scale, result.part.surface, whole, options);
-  if (margin_of(best, whole.shape) < clear_margin)
+  if (margin_of(best, whole.shape()) < clear_margin)
     for (const double scale : other_scales)
       if (ScaledSearch other = search_from(scale * unit_scale, result.part.surface, whole, options);
           other.order() < best.order())
@@ -201,11 +201,11 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
   };
   const bool by_landmarks = landmarks.size() >= n_least_landmarks;
   if (by_landmarks) std::ranges::stable_sort(best.maps, {}, landmark_distance);
-  result.margin = margin_of(best, whole.shape);
+  result.margin = margin_of(best, whole.shape());
   for (const PartialMap& map : best.maps) {
     PartialCandidate& candidate = result.candidates.emplace_back(map.total(), map.order());
     candidate.map = map.images;
-    candidate.pairs = confident_pairs_of(best.part, whole.shape, map, options);
+    candidate.pairs = confident_pairs_of(best.part, whole.shape(), map, options);
     for (CorrespondingPoints& pair : candidate.pairs) {
       pair.on_reference *= unit_of_part;
       pair.on_template *= whole.unit;
