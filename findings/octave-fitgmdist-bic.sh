@@ -20,7 +20,7 @@ for package in *.deb; do dpkg -x "$package" root; done
 libs=$(find "$folder/root" -name '*.so.*' -exec dirname {} \; | sort -u | tr '\n' ':')
 cat > count.m <<'M'
 warning ("off", "all");
-addpath (genpath ([getenv("FOLDER") "/root/usr/share/octave/packages/statistics-1.5.3"]));
+addpath (genpath ("root/usr/share/octave/packages/statistics-1.5.3"));
 printf ("Octave %s, octave-statistics 1.5.3\n", version ());
 as_described = true;
 randn ("twister", 7); rand ("twister", 7);
@@ -49,4 +49,4 @@ for d = [1 2 10]
 end
 exit (! as_described);
 M
-FOLDER=$folder OCTAVE_HOME=$folder/root/usr LD_LIBRARY_PATH=$libs root/usr/bin/octave-cli --no-history --quiet --norc count.m
+OCTAVE_HOME=$folder/root/usr LD_LIBRARY_PATH=$libs root/usr/bin/octave-cli --no-history --quiet --norc count.m
