@@ -138,6 +138,7 @@ void score(const PartialShape& part, const PartialShape& whole, const auto& is_c
   map.orientation /= weights;
 }
 
+/// The order of a map that is known at samples alone.
 double order_of_samples(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
                         const std::vector<Index>& images, const PartialMap& map) {
   const Eigen::Index k = whole.spectrum.values.size();
@@ -175,11 +176,9 @@ SampledMap refine_partial_map(const PartialShape& part, const PartialShape& whol
   };
   for (const int step : steps)
     if (step >= schedule.first) images = next_images(step);
-  SampledMap result{std::move(images), {}, schedule.share, 0};
-  images = result.images;
-  result.last_images = next_images(n_functions);
-  result.order = order_of_samples(part, whole, queries, result.last_images, map);
-  return result;
+  std::vector<Index> last_images = next_images(n_functions);
+  const double order = order_of_samples(part, whole, queries, last_images, map);
+  return {std::move(images), std::move(last_images), schedule.share, order};
 }
 
 PartialMap complete_map(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,

@@ -15,7 +15,7 @@ namespace {
 // Samples that are placed, and the places for them.
 constexpr std::size_t n_anchors = 16, n_places = 500;
 constexpr std::size_t n_ways = 2000;  // that are followed
-constexpr std::size_t n_refined = 24;
+constexpr std::size_t n_starts = 24;
 constexpr std::size_t n_queries = 600;
 constexpr double off_border = 0.03;  // anchors' least distance from a border, where there are such
 constexpr double apart = 0.05;       // least distance of an anchor from the others
@@ -98,7 +98,7 @@ std::vector<SampleImages> distinct(const std::vector<SampleImages>& all, const E
       return quantile(std::move(distances), nearly_all) < same_map;
     };
     if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(images);
-    if (kept.size() == n_refined) break;
+    if (kept.size() == n_starts) break;
   }
   return kept;
 }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace shellmatch {
@@ -164,8 +165,7 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
 StartSearch<3> search_whole_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                                    const AlignOptions& options) {
   const std::vector<CorrespondingPoints> known = points_of(landmarks);
-  const AutomaticPairs found =
-      find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
+  AutomaticPairs found = find_pairs(shapes.reference.surface, shapes.template_shape.surface, options.search, known);
   StartSearch<3> search{
       {}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
   search.is_ambiguous = found.is_ambiguous;
@@ -180,20 +180,21 @@ StartSearch<3> search_whole_starts(const ShapePair<3>& shapes, const std::vector
     if (search.searched_share = std::min(search.searched_share, prepared->share); prepared->share < 1)
       search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area",
                                          shape->source, 100 * prepared->share));
-  const ObservedPair<3> observed = observed_pair(shapes.reference, shapes.template_shape);
-  for (PairCandidate candidate : found.candidates) {
-    const std::size_t n_found = candidate.pairs.size();
-    if (shapes.one_is_part())
+  std::optional<ObservedPair<3>> observed;  // takes time, and is rarely asked
+  if (shapes.one_is_part()) observed = observed_pair(shapes.reference, shapes.template_shape);
+  for (PairCandidate& candidate : found.candidates) {
+    const double pair_share = share_of_samples(candidate.pairs.size(), found.reference, options.search);
+    if (observed)
       for (auto* pairs : {&candidate.pairs, &candidate.contradicting})
         std::erase_if(*pairs,
-                      [&](const CorrespondingPoints& p) { return !observed.contains(p.on_reference, p.on_template); });
+                      [&](const CorrespondingPoints& p) { return !observed->contains(p.on_reference, p.on_template); });
     const double n_telling =
         candidate.landmark_distance ? candidate.landmark_trust * static_cast<double>(candidate.n_landmarks) : 0;
     search.starts.push_back(start_of<3>(candidate, spread_at(candidate.score, n_telling), options, true));
     search.starts.back().landmark_distance = candidate.landmark_distance;
     search.starts.back().order = candidate.order;
     search.starts.back().margin = candidate.margin;
-    search.starts.back().pair_share = share_of_samples(n_found, found.reference, options.search);
+    search.starts.back().pair_share = pair_share;
     if (candidate.landmark_distance) search.starts.back().alignment.landmark_trust = candidate.landmark_trust;
   }
   return search;

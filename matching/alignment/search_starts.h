@@ -16,7 +16,8 @@ StartSearch<3> search_starts(const ShapePair<3>& shapes, const std::vector<Landm
 /// The same of the smaller one as a part of the other, however small its gaps are.
 StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                                      const AlignOptions& options);
-/// The same of closed surfaces, however much was made up to close them; no pair is there if that is much.
+/// The same of closed surfaces, however much was made up to close them. If that is more than least_of_part, no pair
+/// lies on it.
 StartSearch<3> search_whole_starts(const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                                    const AlignOptions& options);
 StartSearch<2> search_starts(const ShapePair<2>& shapes, const std::vector<Landmark<2>>& landmarks,
