@@ -1,5 +1,6 @@
 #include "alignment/functional_map/map_search.h"
 
+#include "alignment/clear_margin.h"
 #include "alignment/functional_map/starts.h"
 #include "base/parallel.h"
 #include "base/stop.h"
@@ -207,7 +208,6 @@ std::size_t choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>&
 
 /// Whether the first, ascending by their order, is nearly isometric and clearly better than all others.
 bool is_sure(const std::vector<MapCandidate>& candidates) {
-  constexpr double clear_margin = 1.15;
   return error_growth(candidates[0].total()) == 1 &&
          (candidates.size() == 1 || candidates[1].order() > clear_margin * candidates[0].order());
 }

@@ -1,5 +1,6 @@
 #include "alignment/partial/find_partial_pairs.h"
 
+#include "alignment/clear_margin.h"
 #include "alignment/functional_map/two_way_map.h"
 #include "alignment/pairs/confident_pairs.h"
 #include "alignment/partial/partial_map.h"
@@ -176,7 +177,6 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
                                 const AlignmentOptions& options, std::span<const CorrespondingPoints> landmarks) {
   // Other individuals are larger or smaller.
   constexpr double other_scales[] = {1.25, 0.8};
-  constexpr double clear_margin = 1.2;
   PartialPairs result;
   for_both([&](int s) {
     (s == 0 ? result.part : result.whole) = prepare_surface(s == 0 ? part_surface : whole_surface, options);
@@ -184,7 +184,7 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
   const SearchedWhole whole(result.whole.surface, options);
   const double unit_scale = scale_of_unit(result.part.surface, result.whole.surface);
   ScaledSearch best = search_from(unit_scale, result.part.surface, whole, options);
-  if (margin_of(best, whole.shape()) < clear_margin)
+  if (margin_of(best, whole.shape()) < clear_margin_of_part)
     for (const double scale : other_scales)
       if (ScaledSearch other = search_from(scale * unit_scale, result.part.surface, whole, options);
           other.order() < best.order())

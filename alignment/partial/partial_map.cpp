@@ -109,9 +109,35 @@ double trust_near_border(const PartialShape& part, Index v) {
   return std::clamp(part.to_border[v] / part_spin_radius, 0.125, 1.0);
 }
 
+/// Sums over points of the part and their images, of which a PartialMap has the means.
+class ScoreSums {
+ public:
+  ScoreSums(const PartialShape& part, const PartialShape& whole, const PartialMap& map)
+      : part_(part), whole_(whole), map_(map), k_(whole.spectrum.values.size()) {}
+
+  void add(double weight, Index v, Index image, double misorientation) {
+    const auto on_part = map_.on_part.col(v).head(k_), on_whole = map_.on_whole.col(image).head(k_);
+    weights_ += weight;
+    difference_ += weight * (on_part - on_whole).squaredNorm();
+    squares_ += weight * on_whole.squaredNorm();
+    spin_ += weight * (part_.spin.col(v) - whole_.spin.col(image)).squaredNorm();
+    orientation_ += weight * misorientation;
+  }
+  void set_means(PartialMap& map) const {
+    map.functions = std::sqrt(difference_ / squares_);
+    map.spin = spin_ / weights_;
+    map.orientation = orientation_ / weights_;
+  }
+
+ private:
+  const PartialShape &part_, &whole_;
+  const PartialMap& map_;
+  Eigen::Index k_;
+  double difference_ = 0, squares_ = 0, weights_ = 0, spin_ = 0, orientation_ = 0;
+};
+
 /// Over the vertices v of the part for which is_counted(v).
 void score(const PartialShape& part, const PartialShape& whole, const auto& is_counted, PartialMap& map) {
-  const Eigen::Index k = whole.spectrum.values.size();
   Rows3 mapped(static_cast<Eigen::Index>(part.n_vertices()), 3),
       coordinates(static_cast<Eigen::Index>(whole.n_vertices()), 3);
   for (std::size_t v = 0; v < part.n_vertices(); ++v)
@@ -120,43 +146,28 @@ void score(const PartialShape& part, const PartialShape& whole, const auto& is_c
     coordinates.row(static_cast<Eigen::Index>(v)) = whole.surface.vertices[v];
   const Rows3 through = vertex_normals(part.surface.facets, mapped),
               normals = vertex_normals(whole.surface.facets, coordinates);
-  double difference = 0, squares = 0, weights = 0;
-  map.spin = map.orientation = 0;
-  for (std::size_t v = 0; v < part.n_vertices(); ++v) {
-    if (!is_counted(v)) continue;
-    const auto at = static_cast<Eigen::Index>(v);
-    const Index image = map.images[v];
-    const double weight = part.mass[at] * trust_near_border(part, static_cast<Index>(v));
-    weights += weight;
-    difference += weight * (map.on_part.col(at).head(k) - map.on_whole.col(image).head(k)).squaredNorm();
-    squares += weight * map.on_whole.col(image).head(k).squaredNorm();
-    map.spin += weight * (part.spin.col(at) - whole.spin.col(image)).squaredNorm();
-    map.orientation += weight * (1 - through.row(at).dot(normals.row(image))) / 2;
+  ScoreSums sums(part, whole, map);
+  for (std::size_t i = 0; i < part.n_vertices(); ++i) {
+    if (!is_counted(i)) continue;
+    const auto v = static_cast<Index>(i);
+    sums.add(part.mass[v] * trust_near_border(part, v), v, map.images[i],
+             (1 - through.row(v).dot(normals.row(map.images[i]))) / 2);
   }
-  map.functions = std::sqrt(difference / squares);
-  map.spin /= weights;
-  map.orientation /= weights;
+  sums.set_means(map);
 }
 
 /// The order of a map that is known at samples alone.
 double order_of_samples(const PartialShape& part, const PartialShape& whole, const std::vector<Index>& queries,
                         const std::vector<Index>& images, const PartialMap& map) {
   const Eigen::Index k = whole.spectrum.values.size();
-  PartialMap sampled;
-  double difference = 0, squares = 0, weights = 0;
+  ScoreSums sums(part, whole, map);
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    const double weight = trust_near_border(part, queries[i]);
-    const auto on_part = map.on_part.col(queries[i]), on_whole = map.on_whole.col(images[i]);
-    weights += weight;
-    difference += weight * (on_part.head(k) - on_whole.head(k)).squaredNorm();
-    squares += weight * on_whole.head(k).squaredNorm();
-    sampled.spin += weight * (part.spin.col(queries[i]) - whole.spin.col(images[i])).squaredNorm();
-    sampled.orientation +=
-        weight * (on_part.segment(k, 3) - on_whole.segment(k, 3)).squaredNorm() / (4 * normal_weight * normal_weight);
+    const auto normal = map.on_part.col(queries[i]).segment(k, 3), other = map.on_whole.col(images[i]).segment(k, 3);
+    sums.add(trust_near_border(part, queries[i]), queries[i], images[i],
+             (normal - other).squaredNorm() / (4 * normal_weight * normal_weight));
   }
-  sampled.functions = std::sqrt(difference / squares);
-  sampled.spin /= weights;
-  sampled.orientation /= weights;
+  PartialMap sampled;
+  sums.set_means(sampled);
   return sampled.order();
 }
 

@@ -32,7 +32,8 @@ EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim
   const ChunkReport all = parallel_sum(elements.size(), elements_at_a_time, ChunkReport{}, [&](const Chunk& chunk) {
     const auto some = elements.subspan(chunk.begin, chunk.end - chunk.begin);
     MatchingEnergy<Dim> energy(some, geometry, terms, sigma, points_per_direction);
-    if (mask) energy.set_mask(phi, *mask);
+    if (mask) energy.set_mask(*mask);
+    energy.refresh_mask(phi);
     ChunkReport report;
     report.is_evaluable = energy.report(phi, weights, report.values, report.band);
     return report;

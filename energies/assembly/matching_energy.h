@@ -36,9 +36,13 @@ class MatchingEnergy {
   MatchingEnergy(std::span<const Element<Dim>> elements, const GeometryPair<Dim>& geometry,
                  std::shared_ptr<const EnergyTerms<Dim>> terms, double sigma, int points_per_direction);
 
-  /// Multiplies the weights of the band by mask.weight(x, phi(x)), in place of an earlier mask. The energy then is that
-  /// of these weights: they do not move with phi until the next call. Not during an evaluation.
-  void set_mask(std::span<const Vec<Dim>> phi, const BandMask<Dim>& mask);
+  /// Multiplies the weights of the band by mask.reference_weight(x), once for all. The mask must outlive this object.
+  /// \pre the first call
+  void set_mask(const BandMask<Dim>& mask);
+
+  /// Multiplies them by mask.template_weight(phi(x)) as well. The energy then is that of these weights: they do not
+  /// move with phi until the next call. Without a mask, nothing happens. Not during an evaluation.
+  void refresh_mask(std::span<const Vec<Dim>> phi);
 
   /// Sets the values of the terms of points, which depend on no quadrature. \pre values.size() == n_terms()
   void set_point_values(std::span<const Vec<Dim>> phi, const TermValues& weights, TermValues& values) const;
@@ -97,6 +101,7 @@ class MatchingEnergy {
   std::shared_ptr<const EnergyTerms<Dim>> terms_;
   ShapeTable<Dim> shape_;
   Band<Dim> band_;
+  const BandMask<Dim>* mask_ = nullptr;
   std::optional<CellBlocks<Dim>> cell_blocks_;  ///< none for an energy of values only
 };
 

@@ -53,19 +53,21 @@ class Band {
   }
   /// Point q of batch b.
   const Point& point(std::size_t b, std::size_t q) const { return points_[b * n_points_ + q]; }
-  /// Multiplies the weights at the points of an element by factor(q), in place of those of an earlier call.
-  template <class Factor>
-  void set_mask(std::size_t b, int lane, Factor&& factor) {
-    for (std::size_t q = 0; q < n_points_; ++q) {
-      const std::size_t i = b * n_points_ + q;
-      points_[i].weight[lane] = unmasked_[i][lane] * factor(q);
-    }
+  /// The local points of an element that have a weight; one of them is multiplied by a factor. After keep_weights()
+  /// both go by the weights that were kept, so that a factor takes the place of an earlier one.
+  void active_points(std::size_t b, int lane, std::vector<std::size_t>& q) const {
+    q.clear();
+    for (std::size_t i = b * n_points_; i < (b + 1) * n_points_; ++i)
+      if (weight_before_mask(i)[lane] != 0) q.push_back(i - b * n_points_);
   }
-  /// Before the first set_mask().
-  void keep_unmasked_weights() {
-    if (!unmasked_.empty()) return;
-    unmasked_.reserve(points_.size());
-    for (const Point& p : points_) unmasked_.push_back(p.weight);
+  void multiply_weight(std::size_t b, std::size_t q, int lane, double factor) {
+    const std::size_t i = b * n_points_ + q;
+    points_[i].weight[lane] = weight_before_mask(i)[lane] * factor;
+  }
+  void keep_weights() {
+    kept_weights_.clear();
+    kept_weights_.reserve(points_.size());
+    for (const Point& p : points_) kept_weights_.push_back(p.weight);
   }
 
   /// Asks for the point after that one, early: what lies between takes too long for the processor to see the row.
@@ -79,10 +81,14 @@ class Band {
   double measure() const { return measure_; }
 
  private:
+  const autodiff::Pack& weight_before_mask(std::size_t i) const {
+    return kept_weights_.empty() ? points_[i].weight : kept_weights_[i];
+  }
+
   std::vector<Batch> batches_;
   std::vector<std::size_t> first_batch_;  ///< by block
   std::vector<Point> points_;
-  std::vector<autodiff::Pack> unmasked_;  ///< weights of the points; empty without a mask
+  std::vector<autodiff::Pack> kept_weights_;  ///< of the points; empty without a mask
   std::size_t n_points_ = 0, n_elements_ = 0, n_active_points_ = 0;
   double measure_ = 0;
 };

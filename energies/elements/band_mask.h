@@ -4,20 +4,31 @@
 
 #include "base/types.h"
 
-#include <optional>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 namespace shellmatch {
 
+/// A product of a weight in the reference's domain, which stays, and one in the template's, which is asked for again as
+/// the points move. It is asked for at several points at once, which lie close to each other if they are of one
+/// element.
 template <int Dim>
 class BandMask {
  public:
   virtual ~BandMask() = default;
-  /// For the reference's point x and the point y = phi(x) of the template's domain.
-  virtual double weight(const Vec<Dim>& x, const Vec<Dim>& y) const = 0;
-  /// The weight, where it is the same for all points at most `x_radius` from x and `y_radius` from y; none where it may
-  /// not be. Most elements are far from the edges of a mask.
-  virtual std::optional<double> constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y,
-                                         double y_radius) const = 0;
+  /// \param weights one for each point
+  virtual void reference_weights(std::span<const Vec<Dim>> x, std::span<double> weights) const = 0;
+  virtual void template_weights(std::span<const Vec<Dim>> y, std::span<double> weights) const = 0;
+
+  /// For points x of the reference's domain and their images y in the template's.
+  std::vector<double> weights(std::span<const Vec<Dim>> x, std::span<const Vec<Dim>> y) const {
+    std::vector<double> product(x.size()), of_template(x.size());
+    reference_weights(x, product);
+    template_weights(y, of_template);
+    for (std::size_t i = 0; i < product.size(); ++i) product[i] *= of_template[i];
+    return product;
+  }
 };
 
 }  // namespace shellmatch

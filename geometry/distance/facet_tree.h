@@ -34,6 +34,8 @@ class FacetTree {
   /// nearest() for many points, faster the nearer consecutive points lie to each other.
   /// \param facets one entry for each point
   void nearest(std::span<const Vec<Dim>> points, std::span<Index> facets) const;
+  /// The same among the facets nearer than limits[i]; no_index where there is none, which is found out much faster.
+  void nearest_within(std::span<const Vec<Dim>> points, std::span<const double> limits, std::span<Index> facets) const;
 
  private:
   static constexpr int width = 8;
@@ -59,7 +61,8 @@ class FacetTree {
   Index nearer(const Vec<Dim>& x, double best, Index facet) const;
   /// The same, or where any facet suffices the first that is found.
   Index search(const Vec<Dim>& x, double best, Index facet, bool any_suffices) const;
-  void nearest_of_group(std::span<const Vec<Dim>> points, Index* facets) const;
+  /// \param limits empty for none
+  void nearest_of_group(std::span<const Vec<Dim>> points, std::span<const double> limits, Index* facets) const;
 
   std::vector<Node> nodes_;
   std::vector<Leaf> leaves_;

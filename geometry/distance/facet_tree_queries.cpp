@@ -176,7 +176,8 @@ Index FacetTree<Dim>::search(const Vec<Dim>& x, double best, Index facet, bool a
 // The subtrees that the sphere around all points of the group reaches are visited in the order of their distance from
 // its centre. Where they are many, the points lie too far apart to be treated together.
 template <int Dim>
-void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* facets) const {
+void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, std::span<const double> limits,
+                                      Index* facets) const {
   Lanes x[n_parts][Dim];
   Box<Dim> box;
   for (std::size_t i = 0; i < width; ++i) {
@@ -187,19 +188,27 @@ void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* f
   const Vec<Dim> centre = 0.5 * (box.min + box.max);
   double radius = 0;
   for (const Vec<Dim>& point : points) radius = std::max(radius, (point - centre).norm());
+  constexpr double infinite = std::numeric_limits<double>::max();
+  const auto limit2 = [&](std::size_t i) {
+    return limits.empty() ? infinite : std::min(infinite, limits[i] * limits[i]);
+  };
   if (!centre.allFinite() || !(radius < 1e150)) {  // squares would not be finite for the others, either
-    for (std::size_t i = 0; i < points.size(); ++i) facets[i] = this->nearest(points[i]);
+    for (std::size_t i = 0; i < points.size(); ++i) facets[i] = nearer(points[i], limit2(i), no_index);
     return;
   }
   constexpr int most_leaves = 24;
-  constexpr double limit = std::numeric_limits<double>::max();
   Lanes best[n_parts];
   IndexLanes nearest[n_parts];
-  for (int p = 0; p < n_parts; ++p) {
-    best[p] = Lanes{} + limit;
-    nearest[p] = IndexLanes{} + no_index;
-  }
-  double most2 = limit;
+  double most2 = infinite;
+  const auto set_reach = [&] {
+    double farthest = best[0][0];
+    for (int i = 1; i < width; ++i) farthest = std::max(farthest, best[i / n_lanes][i % n_lanes]);
+    const double reach = std::sqrt(farthest) + radius;
+    most2 = std::min(infinite, reach * reach);
+  };
+  for (int p = 0; p < n_parts; ++p) nearest[p] = IndexLanes{} + no_index;
+  for (std::size_t i = 0; i < width; ++i) best[i / n_lanes][i % n_lanes] = limit2(std::min(i, points.size() - 1));
+  set_reach();
   const auto visit = [&](const Leaf& leaf) {
     for (int f = 0; f < width; ++f) {
       double edge[Dim - 1][Dim], inverse_length2[Dim == 2 ? 1 : 3];
@@ -216,10 +225,7 @@ void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* f
         nearest[p] = is_nearer ? facet : nearest[p];
       }
     }
-    double farthest = best[0][0];
-    for (int i = 1; i < width; ++i) farthest = std::max(farthest, best[i / n_lanes][i % n_lanes]);
-    const double reach = std::sqrt(farthest) + radius;
-    most2 = reach * reach;
+    set_reach();
   };
   const auto may_be_nearer = [&](const Node& node, int place) {
     IndexLanes nearer{};
@@ -255,7 +261,16 @@ void FacetTree<Dim>::nearest_of_group(std::span<const Vec<Dim>> points, Index* f
 template <int Dim>
 void FacetTree<Dim>::nearest(std::span<const Vec<Dim>> points, std::span<Index> facets) const {
   for (std::size_t i = 0; i < points.size(); i += width)
-    nearest_of_group(points.subspan(i, std::min<std::size_t>(width, points.size() - i)), &facets[i]);
+    nearest_of_group(points.subspan(i, std::min<std::size_t>(width, points.size() - i)), {}, &facets[i]);
+}
+
+template <int Dim>
+void FacetTree<Dim>::nearest_within(std::span<const Vec<Dim>> points, std::span<const double> limits,
+                                    std::span<Index> facets) const {
+  for (std::size_t i = 0; i < points.size(); i += width) {
+    const std::size_t n = std::min<std::size_t>(width, points.size() - i);
+    nearest_of_group(points.subspan(i, n), limits.subspan(i, n), &facets[i]);
+  }
 }
 
 template Index FacetTree<2>::nearest(const Vec<2>&) const;
@@ -266,5 +281,7 @@ template bool FacetTree<2>::reaches(const Vec<2>&, double) const;
 template bool FacetTree<3>::reaches(const Vec<3>&, double) const;
 template void FacetTree<2>::nearest(std::span<const Vec<2>>, std::span<Index>) const;
 template void FacetTree<3>::nearest(std::span<const Vec<3>>, std::span<Index>) const;
+template void FacetTree<2>::nearest_within(std::span<const Vec<2>>, std::span<const double>, std::span<Index>) const;
+template void FacetTree<3>::nearest_within(std::span<const Vec<3>>, std::span<const double>, std::span<Index>) const;
 
 }  // namespace shellmatch

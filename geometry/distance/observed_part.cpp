@@ -42,10 +42,9 @@ ObservedPart<Dim>::ObservedPart(const Evidence<Dim>& evidence) {
 }
 
 template <int Dim>
-auto ObservedPart<Dim>::Part::nearest(const Vec<Dim>& x) const -> Nearest {
-  const Index f = tree.nearest(x);
-  if (f == no_index) return {f, std::numeric_limits<double>::infinity()};
-  return {f, (closest_point_on_facet(surface, f, x).point - x).norm()};
+auto ObservedPart<Dim>::Part::at(Index facet, const Vec<Dim>& x) const -> Nearest {
+  if (facet == no_index) return {facet, std::numeric_limits<double>::infinity()};
+  return {facet, (closest_point_on_facet(surface, facet, x).point - x).norm()};
 }
 
 template <int Dim>
@@ -56,6 +55,32 @@ auto ObservedPart<Dim>::nearest_gap(const Vec<Dim>& x) const -> Gap {
   if (unobserved.facet == no_index) return {-std::numeric_limits<double>::infinity(), 0};
   return {unobserved.distance - parts_->observed.nearest(x).distance,
           parts_->half_widths[static_cast<std::size_t>(unobserved.facet)]};
+}
+
+template <int Dim>
+void ObservedPart<Dim>::nearest_gaps(std::span<const Vec<Dim>> x, double most, std::span<Gap> gaps) const {
+  std::ranges::fill(gaps, Gap());
+  if (is_all()) return;
+  constexpr std::size_t at_once = 64;
+  std::array<Index, at_once> facets;
+  std::array<double, at_once> distances, limits;
+  for (std::size_t i = 0; i < x.size(); i += at_once) {
+    const std::size_t n = std::min(at_once, x.size() - i);
+    const auto some = x.subspan(i, n);
+    const auto found = std::span(facets).first(n);
+    parts_->observed.tree.nearest(some, found);
+    for (std::size_t k = 0; k < n; ++k) {
+      distances[k] = parts_->observed.at(found[k], some[k]).distance;
+      limits[k] = distances[k] + most;
+    }
+    parts_->unobserved.tree.nearest_within(some, std::span(limits).first(n), found);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!std::isfinite(distances[k])) gaps[i + k] = nearest_gap(some[k]);
+      else if (found[k] != no_index)
+        gaps[i + k] = {parts_->unobserved.at(found[k], some[k]).distance - distances[k],
+                       parts_->half_widths[static_cast<std::size_t>(found[k])]};
+    }
+  }
 }
 
 // The margin changes at most by twice the distance.
@@ -75,7 +100,7 @@ void ObservedPart<Dim>::Parts::lay_lattice() {
   for (std::atomic<float>& margin : margins) margin = std::numeric_limits<float>::quiet_NaN();
 }
 
-/// At the centre of the cube that has x; NaN outside.
+/// At the centre of the cube that has x, or the most that is asked for; NaN outside.
 template <int Dim>
 float ObservedPart<Dim>::Parts::margin_near(const Vec<Dim>& x) const {
   std::size_t i = 0;
@@ -88,7 +113,11 @@ float ObservedPart<Dim>::Parts::margin_near(const Vec<Dim>& x) const {
   }
   float margin = margins[i].load(std::memory_order_relaxed);
   if (!std::isnan(margin)) return margin;
-  margin = static_cast<float>(unobserved.nearest(centre).distance - observed.nearest(centre).distance);
+  const double distance = observed.nearest(centre).distance, limit = distance + most_margin * side;
+  Index facet;
+  unobserved.tree.nearest_within(std::span(&centre, 1), std::span(&limit, 1), std::span(&facet, 1));
+  margin =
+      static_cast<float>(facet == no_index ? most_margin * side : unobserved.at(facet, centre).distance - distance);
   margins[i].store(margin, std::memory_order_relaxed);  // whoever else computes it has the same bits
   return margin;
 }
@@ -97,7 +126,7 @@ float ObservedPart<Dim>::Parts::margin_near(const Vec<Dim>& x) const {
 // that bound, neither distance has to be known.
 template <int Dim>
 bool ObservedPart<Dim>::is_beyond(const Vec<Dim>& x, double least) const {
-  if (is_all() || parts_->margin_near(x) - parts_->reach >= least) return true;
+  if (is_surely_beyond(x, least)) return true;
   const Index some = parts_->observed.tree.some_near(x);
   if (some == no_index) return false;
   const double distance = (closest_point_on_facet(parts_->observed.surface, some, x).point - x).norm();

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -36,12 +37,19 @@ class ObservedPart {
     double half_width = 0;
   };
   Gap nearest_gap(const Vec<Dim>& x) const;
+  /// The same of several points, faster the nearer they lie to each other. Where the margin is at least `most`, it is
+  /// infinite. \param gaps one for each
+  void nearest_gaps(std::span<const Vec<Dim>> x, double most, std::span<Gap> gaps) const;
   double margin(const Vec<Dim>& x) const { return nearest_gap(x).margin; }
   /// margin(x), or `most` where it is certain that it is larger: most points are far from all gaps, which is found
   /// out much faster. \param most > 0
   double margin_up_to(const Vec<Dim>& x, double most) const { return is_beyond(x, most) ? most : margin(x); }
   /// Is it certain that the margin is at least this? Beside the limit it may be so where the answer is no.
   bool is_beyond(const Vec<Dim>& x, double least) const;
+  /// The same by a lattice alone: faster, but a no even at points well beyond.
+  bool is_surely_beyond(const Vec<Dim>& x, double least) const {
+    return is_all() || parts_->margin_near(x) - parts_->reach >= least;
+  }
   /// Is it certain that the margin is at most this? Likewise.
   bool is_within(const Vec<Dim>& x, double most) const {
     return !is_all() && parts_->margin_near(x) + parts_->reach <= most;
@@ -62,14 +70,17 @@ class ObservedPart {
       Index facet;
       double distance;
     };
-    Nearest nearest(const Vec<Dim>& x) const;
+    Nearest nearest(const Vec<Dim>& x) const { return at(tree.nearest(x), x); }
+    Nearest at(Index facet, const Vec<Dim>& x) const;
     Surface<Dim> surface;
     FacetTree<Dim> tree;
   };
   struct Parts {
     Part observed, unobserved;
     std::vector<double> half_widths;  ///< for each unobserved facet that of its connected part
-    /// A lattice of cubes over the surface, for bounds of the margin. It is computed at centres where it is asked for.
+    /// A lattice of cubes over the surface, for bounds of the margin. It is computed at centres where it is asked for,
+    /// up to so many sides of a cube: whatever is farther away need not be found.
+    static constexpr double most_margin = 16;
     Vec<Dim> corner;
     double side, reach;  ///< of a cube, and by how much the margin in it differs at most from that at its centre
     std::array<int, Dim> n_cells;

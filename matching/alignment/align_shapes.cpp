@@ -1,5 +1,6 @@
 #include "matching/alignment/align_shapes.h"
 
+#include "alignment/clear_margin.h"
 #include "alignment/functional_map/two_way_map.h"
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"

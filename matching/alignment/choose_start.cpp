@@ -1,5 +1,6 @@
 #include "matching/alignment/choose_start.h"
 
+#include "alignment/clear_margin.h"
 #include "base/stop.h"
 
 #include <algorithm>

@@ -47,7 +47,7 @@ struct LevelEnergy {
         terms(std::make_shared<EnergyTerms<Dim>>(options.energy)),
         energy(unknowns, geometry, terms, sigma, options.energy.quadrature_order),
         hessian(energy, unknowns) {
-    if (!observed.is_all()) mask.emplace(observed, sigma);
+    if (!observed.is_all()) energy.set_mask(mask.emplace(observed, sigma));
   }
   LevelEnergy(const LevelEnergy&) = delete;
   LevelEnergy& operator=(const LevelEnergy&) = delete;
@@ -68,7 +68,7 @@ struct LevelEnergy {
 
   /// What is made anew as phi moves becomes that for this phi: the mask, and the points of terms that follow it.
   void refresh(const std::vector<Vec<Dim>>& phi) {
-    if (mask) energy.set_mask(phi, *mask);
+    energy.refresh_mask(phi);
     terms->refresh(phi);
   }
 };

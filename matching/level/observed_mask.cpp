@@ -1,51 +1,65 @@
 #include "matching/level/observed_mask.h"
 
 #include <algorithm>
+#include <array>
 
 namespace shellmatch {
 
 namespace {
 
+constexpr std::size_t group_size = 8;
+
 // A narrow gap takes no more of its surroundings than of itself: a scan may have many.
-template <int Dim>
-double weight_in(const ObservedPart<Dim>& part, const Vec<Dim>& x, double width) {
-  if (part.is_beyond(x, width)) return 1;
-  if (part.is_within(x, 0)) return 0;
-  const auto [margin, half_width] = part.nearest_gap(x);
-  if (!(margin > 0)) return 0;
-  const double t = std::min(1.0, margin / std::min(width, 2 * half_width));
+template <class Gap>
+double weight_near(const Gap& gap, double width) {
+  if (!(gap.margin > 0)) return 0;
+  if (gap.margin >= width) return 1;
+  const double t = std::min(1.0, gap.margin / std::min(width, 2 * gap.half_width));
   return t * t * (3 - 2 * t);
 }
 
-enum class Side { without_data, with_data, edge };
-
-// The margin changes at most by twice the distance.
+// Most points are far from the edges of gaps. Of the others the gaps are found together. \pre at most group_size
 template <int Dim>
-Side side_of_ball(const ObservedPart<Dim>& part, const Vec<Dim>& centre, double radius, double width) {
-  if (part.is_beyond(centre, width + 2 * radius)) return Side::with_data;
-  if (part.is_within(centre, -2 * radius)) return Side::without_data;
-  const double margin = part.margin(centre);
-  if (margin - 2 * radius >= width) return Side::with_data;
-  return margin + 2 * radius <= 0 ? Side::without_data : Side::edge;
+void weigh_group(const ObservedPart<Dim>& part, std::span<const Vec<Dim>> points, double width,
+                 std::span<double> weights) {
+  std::array<std::size_t, group_size> places;
+  std::array<Vec<Dim>, group_size> open;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (part.is_surely_beyond(points[i], width)) {
+      weights[i] = 1;
+    } else if (part.is_within(points[i], 0)) {
+      weights[i] = 0;
+    } else {
+      places[n] = i;
+      open[n++] = points[i];
+    }
+  }
+  if (n == 0) return;
+  std::array<typename ObservedPart<Dim>::Gap, group_size> gaps;
+  part.nearest_gaps(std::span(open).first(n), width, std::span(gaps).first(n));
+  for (std::size_t i = 0; i < n; ++i) weights[places[i]] = weight_near(gaps[i], width);
+}
+
+template <int Dim>
+void weigh(const ObservedPart<Dim>& part, std::span<const Vec<Dim>> points, double width, std::span<double> weights) {
+  if (part.is_all()) return void(std::ranges::fill(weights, 1.0));
+  for (std::size_t i = 0; i < points.size(); i += group_size) {
+    const std::size_t n = std::min(group_size, points.size() - i);
+    weigh_group(part, points.subspan(i, n), width, weights.subspan(i, n));
+  }
 }
 
 }  // namespace
 
 template <int Dim>
-double ObservedMask<Dim>::weight(const Vec<Dim>& x, const Vec<Dim>& y) const {
-  const double of_reference = weight_in(parts_.reference, x, width_);
-  return of_reference > 0 ? of_reference * weight_in(parts_.template_shape, y, width_) : 0;
+void ObservedMask<Dim>::reference_weights(std::span<const Vec<Dim>> x, std::span<double> weights) const {
+  weigh(parts_.reference, x, width_, weights);
 }
 
 template <int Dim>
-std::optional<double> ObservedMask<Dim>::constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y,
-                                                  double y_radius) const {
-  const Side of_reference = side_of_ball(parts_.reference, x, x_radius, width_);
-  if (of_reference == Side::without_data) return 0;
-  const Side of_template = side_of_ball(parts_.template_shape, y, y_radius, width_);
-  if (of_template == Side::without_data) return 0;
-  if (of_reference == Side::with_data && of_template == Side::with_data) return 1;
-  return std::nullopt;
+void ObservedMask<Dim>::template_weights(std::span<const Vec<Dim>> y, std::span<double> weights) const {
+  weigh(parts_.template_shape, y, width_, weights);
 }
 
 template class ObservedMask<2>;

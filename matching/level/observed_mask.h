@@ -5,6 +5,7 @@
 #include "energies/elements/band_mask.h"
 #include "geometry/distance/observed_part.h"
 
+#include <span>
 #include <utility>
 
 namespace shellmatch {
@@ -41,8 +42,8 @@ class ObservedMask final : public BandMask<Dim> {
   ///   half of that and twice as much made errors larger
   ///   on five pairs of which a third had been cut away
   ObservedMask(ObservedPair<Dim> parts, double width) : parts_(std::move(parts)), width_(width) {}
-  double weight(const Vec<Dim>& x, const Vec<Dim>& y) const override;
-  std::optional<double> constant(const Vec<Dim>& x, double x_radius, const Vec<Dim>& y, double y_radius) const override;
+  void reference_weights(std::span<const Vec<Dim>> x, std::span<double> weights) const override;
+  void template_weights(std::span<const Vec<Dim>> y, std::span<double> weights) const override;
 
  private:
   ObservedPair<Dim> parts_;

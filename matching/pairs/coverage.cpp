@@ -152,8 +152,15 @@ PointPairs<Dim> Coverage<Dim>::pairs(const Octree<Dim>& grid, const std::vector<
   add_from_template(deformed, normals, grid, phi, result.pairs);
   add_from_reference(deformed, normals, result.pairs);
   if (mask) {
-    parallel_for(result.pairs.size(),
-                 [&](std::size_t i) { result.pairs[i].weight *= mask->weight(result.pairs[i].p, result.pairs[i].y); });
+    parallel_chunks(result.pairs.size(), 64, [&](const Chunk& chunk) {
+      std::vector<Vec<Dim>> p, y;
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+        p.push_back(result.pairs[i].p);
+        y.push_back(result.pairs[i].y);
+      }
+      const std::vector<double> weights = mask->weights(p, y);
+      for (std::size_t i = chunk.begin; i < chunk.end; ++i) result.pairs[i].weight *= weights[i - chunk.begin];
+    });
     std::erase_if(result.pairs, [](const PointPair<Dim>& pair) { return !(pair.weight > 0); });
   }
   const bool is_coarse = grid.finest_side() > side_;

@@ -61,8 +61,8 @@ inline constexpr double least_of_part = 0.02;
 /// With less, it may still be a part that was cut off where it is thin, as a body at the neck.
 inline constexpr double least_of_cut = 0.002;
 
-/// Maps that are better than all others by this factor, of wholes and of parts, and that score no more, were right.
-inline constexpr double clear_margin = 1.15, clear_margin_of_part = 1.2, nearly_isometric = 0.8;
+/// Maps that are clearly the best (alignment/clear_margin.h) and score no more were right.
+inline constexpr double nearly_isometric = 0.8;
 
 /// A shape as it was read.
 struct ShapeSummary {

@@ -1,5 +1,6 @@
 #include "matching/result/verdict.h"
 
+#include "alignment/clear_margin.h"
 #include "solvers/minimizer.h"
 
 #include <fmt/format.h>

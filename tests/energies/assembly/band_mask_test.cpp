@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace shellmatch {
@@ -15,34 +18,26 @@ namespace {
 
 using namespace test;
 
+// Of two functions of a point, one in the reference's domain and one in the template's.
+template <int Dim>
+struct FunctionMask : BandMask<Dim> {
+  using Function = std::function<double(const Vec<Dim>&)>;
+  FunctionMask(Function r, Function t) : of_reference(std::move(r)), of_template(std::move(t)) {}
+  void reference_weights(std::span<const Vec<Dim>> x, std::span<double> weights) const override {
+    std::ranges::transform(x, weights.begin(), of_reference);
+    ++n_references;
+  }
+  void template_weights(std::span<const Vec<Dim>> y, std::span<double> weights) const override {
+    std::ranges::transform(y, weights.begin(), of_template);
+  }
+  Function of_reference, of_template;
+  mutable std::atomic<int> n_references = 0;
+};
+
 // A product of a ramp in the reference's domain and one in the template's.
 template <int Dim>
-struct RampMask final : BandMask<Dim> {
-  double weight(const Vec<Dim>& x, const Vec<Dim>& y) const override { return x[0] * (1 - y[1]); }
-  std::optional<double> constant(const Vec<Dim>&, double, const Vec<Dim>&, double) const override {
-    return std::nullopt;
-  }
-};
-
-// Half of space, decided for whole elements where that is possible.
-template <int Dim>
-struct HalfMask final : BandMask<Dim> {
-  double weight(const Vec<Dim>& x, const Vec<Dim>&) const override { return x[0] < 0.5 ? 1 : 0; }
-  std::optional<double> constant(const Vec<Dim>& x, double r, const Vec<Dim>&, double) const override {
-    if (!decides) return std::nullopt;
-    if (x[0] + r < 0.5) return 1;
-    if (x[0] - r >= 0.5) return 0;
-    return std::nullopt;
-  }
-  bool decides = true;
-};
-
-template <int Dim>
-struct ConstantMask final : BandMask<Dim> {
-  explicit ConstantMask(double v) : value(v) {}
-  double weight(const Vec<Dim>&, const Vec<Dim>&) const override { return value; }
-  std::optional<double> constant(const Vec<Dim>&, double, const Vec<Dim>&, double) const override { return value; }
-  double value;
+struct RampMask final : FunctionMask<Dim> {
+  RampMask() : FunctionMask<Dim>([](const Vec<Dim>& x) { return x[0]; }, [](const Vec<Dim>& y) { return 1 - y[1]; }) {}
 };
 
 template <class T>
@@ -66,27 +61,31 @@ TYPED_TEST(BandMasks, ScaleTheTermsOfTheBandAndNoOthers) {
   constexpr int Dim = TypeParam::value;
   auto& p = this->problem;
   const TermValues whole = *p.values(this->phi, this->all());
-  for (const double factor : {0.25, 0.0, 1.0}) {  // each in place of the one before
-    p.energy.set_mask(this->phi, ConstantMask<Dim>(factor));
+  double factor = 1;
+  const FunctionMask<Dim> mask([](const Vec<Dim>&) { return 0.5; }, [&](const Vec<Dim>&) { return factor; });
+  p.energy.set_mask(mask);
+  for (const double f : {0.25, 0.0, 1.0}) {  // each in place of the one before
+    factor = f;
+    p.energy.refresh_mask(this->phi);
     const TermValues masked = *p.values(this->phi, this->all());
     for (const Term band : {"match"_term, "membrane"_term, "bending"_term})
-      EXPECT_DOUBLE_EQ(masked[band], factor * whole[band]);
+      EXPECT_DOUBLE_EQ(masked[band], 0.5 * f * whole[band]);
     EXPECT_EQ(masked["volume"_term], whole["volume"_term]);
   }
 }
 
-TYPED_TEST(BandMasks, WholeElementsAreDecidedAsTheirPointsAre) {
+TYPED_TEST(BandMasks, AskForTheReferenceOnceAndNotWhereTheBandIsNot) {
   constexpr int Dim = TypeParam::value;
   auto& p = this->problem;
-  HalfMask<Dim> mask;
-  p.energy.set_mask(this->phi, mask);
-  const TermValues quick = *p.values(this->phi, this->all());
-  mask.decides = false;
-  p.energy.set_mask(this->phi, mask);
-  const TermValues slow = *p.values(this->phi, this->all());
-  for (std::size_t t = 0; t < quick.size(); ++t) EXPECT_EQ(quick[t], slow[t]);
-  p.energy.set_mask(this->phi, ConstantMask<Dim>(1));
-  EXPECT_LT(quick["match"_term], 0.7 * p.value(this->phi, "match"_term));
+  std::atomic<std::size_t> n_asked = 0;
+  const FunctionMask<Dim> mask([](const Vec<Dim>& x) { return x[0] < 0.5 ? 1 : 0; },
+                               [&](const Vec<Dim>&) { return ++n_asked, 1.0; });
+  p.energy.set_mask(mask);
+  const int n_references = mask.n_references;
+  p.energy.refresh_mask(this->phi);
+  EXPECT_EQ(mask.n_references, n_references);
+  EXPECT_GT(n_asked, 0u);
+  EXPECT_LT(n_asked, 0.6 * static_cast<double>(p.energy.band().n_active_points()));
 }
 
 // The mask is that of x and of phi(x): the identity and a shift see another part of the template's ramp.
@@ -96,8 +95,10 @@ TYPED_TEST(BandMasks, AreTakenAtThePointAndAtItsImage) {
   const auto identity = at_nodes<Dim>(this->grid, [](const Vec<Dim>& x) { return x; });
   const auto shifted =
       at_nodes<Dim>(this->grid, [](const Vec<Dim>& x) { return Vec<Dim>(x + 0.25 * Vec<Dim>::Unit(1)); });
+  const RampMask<Dim> mask;
+  p.energy.set_mask(mask);
   const auto mean_weight = [&](const std::vector<Vec<Dim>>& at) {
-    p.energy.set_mask(at, RampMask<Dim>());
+    p.energy.refresh_mask(at);
     double sum = 0;
     const Band<Dim>& band = p.energy.band();
     for (std::size_t b = 0; b < band.batches().size(); ++b)
@@ -113,7 +114,9 @@ TYPED_TEST(BandMasks, AreTakenAtThePointAndAtItsImage) {
 TYPED_TEST(BandMasks, GradientAndModelAreThoseOfTheMaskedEnergy) {
   constexpr int Dim = TypeParam::value;
   auto& p = this->problem;
-  p.energy.set_mask(this->phi, RampMask<Dim>());
+  const RampMask<Dim> mask;
+  p.energy.set_mask(mask);
+  p.energy.refresh_mask(this->phi);
   const std::vector<double> g = p.gradient(this->phi, this->all());
   std::vector<double> v(p.unknowns.size()), x(v.size());
   p.unknowns.restrict_to(at_nodes<Dim>(this->grid, smooth_field<Dim>(8)), v);
@@ -133,7 +136,8 @@ TYPED_TEST(BandMasks, AreThoseOfTheReport) {
   constexpr int Dim = TypeParam::value;
   auto& p = this->problem;
   const RampMask<Dim> mask;
-  p.energy.set_mask(this->phi, mask);
+  p.energy.set_mask(mask);
+  p.energy.refresh_mask(this->phi);
   const TermValues own = *p.values(this->phi, this->all());
   const EnergyReport same =
       report_energy<Dim>(p.unknowns, p.geometry, p.options, p.sigma, 2, this->phi, this->all(), &mask);

@@ -79,6 +79,20 @@ TEST(FacetTree, ReachesWhatIsNearerThanADistance) {
   }
 }
 
+TEST(FacetTree, OfManyPointsFindsWhatIsNearerThanTheLimitOfEach) {
+  const SignedDistance<3> sphere(unit_sphere(4));
+  const FacetTree<3> tree(sphere.surface());
+  for (const auto& points : {random_points<3>(300, Vec<3>::Constant(-2), Vec<3>::Constant(2)), in_a_row<3>(300)}) {
+    std::vector<double> limits;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      limits.push_back(std::abs(sphere(points[i])) * (i % 3 == 0 ? 0.999 : i % 3 == 1 ? 1.001 : infinity));
+    std::vector<Index> facets(points.size());
+    tree.nearest_within(points, limits, facets);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      ASSERT_EQ(facets[i], i % 3 == 0 ? no_index : tree.nearest(points[i])) << i;
+  }
+}
+
 TEST(FacetTree, WhatIsNotFiniteSpoilsNoOtherPoint) {
   const Surface<3> sphere = unit_sphere(3);
   const FacetTree<3> tree(sphere);

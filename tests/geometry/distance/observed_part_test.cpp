@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shellmatch {
 namespace {
@@ -63,6 +65,29 @@ TEST(ObservedPart, MarginsUpToALimitAreThoseBelowIt) {
   EXPECT_GT(n_within, 5u);
   EXPECT_FALSE(ObservedPart<3>().is_within({5, 5, 5}, 1));
   EXPECT_TRUE(ObservedPart<3>().is_beyond({5, 5, 5}, 1));
+}
+
+TEST(ObservedPart, GapsOfManyPointsAreThoseOfEach) {
+  const ObservedPart<3> part(cut_ball().evidence);
+  std::vector<Vec<3>> points = random_points<3>(300, Vec<3>::Constant(-1.2), Vec<3>::Constant(1.2));
+  points[7] *= 1e200;  // so far away that nothing can be told
+  std::vector<ObservedPart<3>::Gap> gaps(points.size());
+  for (const double most : {0.05, 0.4, 10.0}) {
+    part.nearest_gaps(points, most, gaps);
+    std::size_t n_beyond = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const ObservedPart<3>::Gap gap = part.nearest_gap(points[i]);
+      const bool is_beyond = gap.margin >= most;
+      EXPECT_EQ(gaps[i].margin, is_beyond ? std::numeric_limits<double>::infinity() : gap.margin) << i;
+      if (!is_beyond) {
+        EXPECT_EQ(gaps[i].half_width, gap.half_width);
+      }
+      n_beyond += is_beyond;
+    }
+    EXPECT_EQ(n_beyond == 0, most == 10);
+  }
+  ObservedPart<3>().nearest_gaps(points, 1, gaps);
+  EXPECT_TRUE(std::ranges::all_of(gaps, [](const auto& gap) { return std::isinf(gap.margin) && gap.margin > 0; }));
 }
 
 TEST(ObservedPart, TheEdgeOfAGapIsNotContained) {

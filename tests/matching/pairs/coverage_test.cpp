@@ -141,8 +141,12 @@ TEST(Coverage, LargeFacetsHaveSamplesWithin) {
 TEST(Coverage, WeighsAsTheMatchTermNearGaps) {
   /// From 0 to 1 along x for the point of the reference and along y for that of the template.
   struct Ramp final : BandMask<3> {
-    double weight(const Vec<3>& x, const Vec<3>& y) const override { return std::max(0.0, 2 * x[0] - 1) * y[1]; }
-    std::optional<double> constant(const Vec<3>&, double, const Vec<3>&, double) const override { return std::nullopt; }
+    void reference_weights(std::span<const Vec<3>> x, std::span<double> weights) const override {
+      std::ranges::transform(x, weights.begin(), [](const Vec<3>& p) { return std::max(0.0, 2 * p[0] - 1); });
+    }
+    void template_weights(std::span<const Vec<3>> y, std::span<double> weights) const override {
+      std::ranges::transform(y, weights.begin(), [](const Vec<3>& p) { return p[1]; });
+    }
   };
   const Surface<3> surface = built_in<3>("ellipsoid/long");
   const SignedDistance<3> distance(surface);
@@ -154,7 +158,7 @@ TEST(Coverage, WeighsAsTheMatchTermNearGaps) {
   EXPECT_LT(some.size(), 0.6 * all.size());
   std::size_t k = 0;
   for (const auto& pair : all)
-    if (const double m = ramp.weight(pair.p, pair.y); m > 0) {
+    if (const double m = std::max(0.0, 2 * pair.p[0] - 1) * pair.y[1]; m > 0) {
       ASSERT_LT(k, some.size());
       EXPECT_EQ(some[k].p, pair.p);
       EXPECT_DOUBLE_EQ(some[k++].weight, m * pair.weight);
