@@ -61,25 +61,19 @@ template <int Dim>
 void ObservedPart<Dim>::nearest_gaps(std::span<const Vec<Dim>> x, double most, std::span<Gap> gaps) const {
   std::ranges::fill(gaps, Gap());
   if (is_all()) return;
-  constexpr std::size_t at_once = 64;
-  std::array<Index, at_once> facets;
-  std::array<double, at_once> distances, limits;
-  for (std::size_t i = 0; i < x.size(); i += at_once) {
-    const std::size_t n = std::min(at_once, x.size() - i);
-    const auto some = x.subspan(i, n);
-    const auto found = std::span(facets).first(n);
-    parts_->observed.tree.nearest(some, found);
-    for (std::size_t k = 0; k < n; ++k) {
-      distances[k] = parts_->observed.at(found[k], some[k]).distance;
-      limits[k] = distances[k] + most;
-    }
-    parts_->unobserved.tree.nearest_within(some, std::span(limits).first(n), found);
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!std::isfinite(distances[k])) gaps[i + k] = nearest_gap(some[k]);
-      else if (found[k] != no_index)
-        gaps[i + k] = {parts_->unobserved.at(found[k], some[k]).distance - distances[k],
-                       parts_->half_widths[static_cast<std::size_t>(found[k])]};
-    }
+  std::vector<Index> facets(x.size());
+  std::vector<double> distances, limits;
+  parts_->observed.tree.nearest(x, facets);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    distances.push_back(parts_->observed.at(facets[i], x[i]).distance);
+    limits.push_back(distances[i] + most);
+  }
+  parts_->unobserved.tree.nearest_within(x, limits, facets);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(distances[i])) gaps[i] = nearest_gap(x[i]);
+    else if (facets[i] != no_index)
+      gaps[i] = {parts_->unobserved.at(facets[i], x[i]).distance - distances[i],
+                 parts_->half_widths[static_cast<std::size_t>(facets[i])]};
   }
 }
 

@@ -1,13 +1,11 @@
 #include "matching/level/observed_mask.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace shellmatch {
 
 namespace {
-
-constexpr std::size_t group_size = 8;
 
 // A narrow gap takes no more of its surroundings than of itself: a scan may have many.
 template <class Gap>
@@ -18,36 +16,25 @@ double weight_near(const Gap& gap, double width) {
   return t * t * (3 - 2 * t);
 }
 
-// Most points are far from the edges of gaps. Of the others the gaps are found together. \pre at most group_size
+// Most points are far from the edges of gaps. Of the others the gaps are found together.
 template <int Dim>
-void weigh_group(const ObservedPart<Dim>& part, std::span<const Vec<Dim>> points, double width,
-                 std::span<double> weights) {
-  std::array<std::size_t, group_size> places;
-  std::array<Vec<Dim>, group_size> open;
-  std::size_t n = 0;
+void weigh(const ObservedPart<Dim>& part, std::span<const Vec<Dim>> points, double width, std::span<double> weights) {
+  std::vector<std::size_t> places;
+  std::vector<Vec<Dim>> open;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (part.is_surely_beyond(points[i], width)) {
       weights[i] = 1;
     } else if (part.is_within(points[i], 0)) {
       weights[i] = 0;
     } else {
-      places[n] = i;
-      open[n++] = points[i];
+      places.push_back(i);
+      open.push_back(points[i]);
     }
   }
-  if (n == 0) return;
-  std::array<typename ObservedPart<Dim>::Gap, group_size> gaps;
-  part.nearest_gaps(std::span(open).first(n), width, std::span(gaps).first(n));
-  for (std::size_t i = 0; i < n; ++i) weights[places[i]] = weight_near(gaps[i], width);
-}
-
-template <int Dim>
-void weigh(const ObservedPart<Dim>& part, std::span<const Vec<Dim>> points, double width, std::span<double> weights) {
-  if (part.is_all()) return void(std::ranges::fill(weights, 1.0));
-  for (std::size_t i = 0; i < points.size(); i += group_size) {
-    const std::size_t n = std::min(group_size, points.size() - i);
-    weigh_group(part, points.subspan(i, n), width, weights.subspan(i, n));
-  }
+  if (open.empty()) return;
+  std::vector<typename ObservedPart<Dim>::Gap> gaps(open.size());
+  part.nearest_gaps(open, width, gaps);
+  for (std::size_t k = 0; k < gaps.size(); ++k) weights[places[k]] = weight_near(gaps[k], width);
 }
 
 }  // namespace
