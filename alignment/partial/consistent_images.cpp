@@ -37,7 +37,8 @@ struct Extended {
 
 /// Placements that differ little from the first of them.
 struct Variants {
-  std::vector<int> images;
+  std::size_t from;
+  int image;
   std::size_t n;
 };
 
@@ -58,26 +59,30 @@ std::vector<SampleImages> consistent_images(const SampleDistances& distances, st
       }
       for (Eigen::Index i = 0; i < n; ++i) all.push_back({costs[i], from, static_cast<int>(i)});
     }
-    const std::size_t n_offered = std::min(all.size(), offered * width);
-    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n_offered), all.end());
+    const auto end_offered = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), offered * width));
+    std::nth_element(all.begin(), end_offered, all.end());
+    std::sort(all.begin(), end_offered);
     std::vector<SampleImages> next;
     std::vector<Variants> kinds;
-    for (std::size_t k = 0; k < n_offered && next.size() < width; ++k) {
-      SampleImages extended{kept[all[k].from].images, all[k].cost};
-      extended.images.push_back(all[k].image);
-      const auto is_within = [&](const std::vector<int>& images, float limit) {
-        for (std::size_t a = 0; a < images.size(); ++a)
-          if (distances.on_whole(extended.images[a], images[a]) >= limit) return false;
-        return true;
+    // Those that go on from one placement. From two, which were not alike before, no two are alike.
+    std::vector<std::vector<int>> last_images(kept.size());
+    for (auto way = all.begin(); way != end_offered && next.size() < width; ++way) {
+      const auto is_within = [&](int image, float limit) { return distances.on_whole(way->image, image) < limit; };
+      const auto begins_akin = [&](std::size_t from) {
+        const std::vector<int>&images = kept[way->from].images, &others = kept[from].images;
+        return std::ranges::equal(images, others, [&](int i, int j) { return distances.on_whole(i, j) < akin; });
       };
       // Otherwise variants of one would crowd out the others, as those of a mirrored placement the right ones.
-      auto kind = std::ranges::find_if(kinds, [&](const Variants& v) { return is_within(v.images, akin); });
-      if (kind == kinds.end()) kind = kinds.insert(kind, {extended.images, 0});
+      auto kind = std::ranges::find_if(
+          kinds, [&](const Variants& v) { return is_within(v.image, akin) && begins_akin(v.from); });
+      if (kind == kinds.end()) kind = kinds.insert(kind, {way->from, way->image, 0});
       if (kind->n >= std::max<std::size_t>(1, width / n_kinds)) continue;
-      if (std::ranges::any_of(next, [&](const SampleImages& other) { return is_within(other.images, alike); }))
-        continue;
+      std::vector<int>& before = last_images[way->from];
+      if (std::ranges::any_of(before, [&](int image) { return is_within(image, alike); })) continue;
       ++kind->n;
-      next.push_back(std::move(extended));
+      before.push_back(way->image);
+      next.push_back({kept[way->from].images, way->cost});
+      next.back().images.push_back(way->image);
     }
     kept = std::move(next);
   }

@@ -1,6 +1,7 @@
 // A whole head onto one without its neck, and the reverse: what is there is matched as between whole heads, and what
 // the other lacks is neither pulled nor measured.
 
+#include "geometry/generate/generate_shape.h"
 #include "geometry/repair/make_shape.h"
 #include "matching/alignment/align_shapes.h"
 #include "matching/alignment/trial.h"
@@ -70,8 +71,8 @@ const VertexAttribute* column(const OriginalShape<3>& shape, const std::string& 
 class Partial : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    reference = std::make_unique<Shape<3>>(std::get<Shape<3>>(open_shape("generate:face")));
-    other = std::make_unique<Shape<3>>(std::get<Shape<3>>(open_shape("generate:face/other")));
+    reference = std::make_unique<Shape<3>>(face(""));
+    other = std::make_unique<Shape<3>>(face("other"));
   }
   static void TearDownTestSuite() {
     reference.reset();
@@ -84,6 +85,10 @@ class Partial : public ::testing::Test {
     if (!whole_match)
       whole_match = std::make_unique<MatchResult<3>>(match_shapes(*reference, *other, options(), quiet));
     return *whole_match;
+  }
+  // Edges are shorter than half a cell of the finest level that is used here.
+  static Shape<3> face(const char* variant) {
+    return make_shape(std::get<OriginalShape<3>>(generate_shape("face", variant, 0.012)), "face");
   }
   static ExperimentOptions options() {
     ExperimentOptions o = profile_defaults(Profile::standard);
@@ -202,25 +207,26 @@ TEST_F(Partial, ThePoseOfAPartIsSearched) {
   const ExperimentOptions o = search_options();
   const Shape<3> sideways = Partial::sideways(1);
   const Shape<3> part = cut(*other, down, 1.0 / 3).shape;
+  ShapePair<3> shapes{sideways, part};
+  EXPECT_TRUE(shapes.one_is_part());
   Notes notes, back;
-  const AlignmentSummary onto_part = *align_shapes<3>({sideways, part}, {}, o, notes).summary,
-                         onto_whole = *align_shapes<3>({part, sideways}, {}, o, back).summary;
-  EXPECT_NE(notes.all.find("searched as a part"), std::string::npos) << notes.all;
-  EXPECT_NEAR(onto_part.angle, 90, 10) << notes.all;
+  const AlignmentSummary onto_whole = *align_shapes<3>({part, sideways}, {}, o, back).summary;
+  EXPECT_NE(back.all.find("searched as a part"), std::string::npos) << back.all;
   EXPECT_NEAR(onto_whole.angle, 90, 10) << back.all;
-  EXPECT_EQ(onto_part.scale, 1);
-  EXPECT_GT(onto_part.n_pairs, 100);
-  EXPECT_EQ(onto_part.n_pairs, onto_whole.n_pairs);
+  EXPECT_GT(onto_whole.n_pairs, 100);
   // What was cut off where it is thin leaves small gaps. The search of wholes finds nothing that is clear then.
-  Shape<3> thinly_cut = part;
-  thinly_cut.invented_share = 0.01;
-  const MatchResult<3> thin = match_shapes(sideways, thinly_cut, o, notes);
-  EXPECT_TRUE(thin.summary.alignment->is_of_part.value_or(false)) << notes.all;
+  shapes.template_shape.invented_share = 0.01;
+  EXPECT_FALSE(shapes.one_is_part());
+  const MatchResult<3> thin = match_shapes(sideways, shapes.template_shape, o, notes);
+  const AlignmentSummary& onto_part = *thin.summary.alignment;
+  EXPECT_TRUE(onto_part.is_of_part.value_or(false)) << notes.all;
+  EXPECT_NEAR(onto_part.angle, 90, 10) << notes.all;
+  EXPECT_EQ(onto_part.scale, 1);
+  EXPECT_EQ(onto_part.n_pairs, onto_whole.n_pairs);
   EXPECT_TRUE(thin.summary.template_shape.may_be_part());
   EXPECT_FALSE(thin.summary.reference.may_be_part());
-  EXPECT_EQ(thin.summary.alignment->n_pairs, onto_part.n_pairs);
-  thinly_cut.invented_share = 0.001;
-  EXPECT_FALSE(align_shapes<3>({sideways, thinly_cut}, {}, o, notes).summary->is_of_part.has_value());
+  shapes.template_shape.invented_share = 0.001;
+  EXPECT_FALSE(align_shapes<3>(shapes, {}, o, notes).summary->is_of_part.has_value());
 }
 
 // In inches it is a part of nothing: what was made up is large, and the search of wholes is clear all the same.
