@@ -71,9 +71,14 @@ class CohortTest(page_case.PageCase):
         for name in ("space", "plane"):
             self.open(name)
             self.assertEqual(len(shapes(name)), 10)
+            parts = ("pane-shape", "modes")
+            before = [self.browser.picture(part) for part in parts]
             for subject in shapes(name):
-                rank = self.rank(subject)
-                self.changes(lambda: self.browser.set("shape", f"subject {rank}"), changed=["pane-shape", "modes"])
+                self.browser.set("shape", f"subject {self.rank(subject)}")
+                after = [self.browser.picture(part) for part in parts]
+                for i, part in enumerate(parts):
+                    self.assertNotEqual(before[i], after[i], part)
+                before = after
                 # All modes are there, and coordinates of some 100 are rounded.
                 self.assertLess(self.shown_error(name, subject), 0.02)
                 self.assertIn(subject, self.browser.run("return document.getElementById('caption').textContent"))
