@@ -10,6 +10,7 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/match_shapes.h"
 #include "matching/result/correspondence.h"
+#include "tests/matching/alignment/coarse_hands.h"
 #include "tests/matching/output/temporary_folder.h"
 
 #include <Eigen/Geometry>
@@ -18,10 +19,10 @@
 namespace shellmatch {
 namespace {
 
+using testing::coarse_hands;
 using testing::message_of;
 using testing::TemporaryFolder;
-
-Shape<3> hand(const std::string& variant = "") { return std::get<Shape<3>>(open_shape("generate:hand" + variant)); }
+using testing::truth_of_coarse_hands;
 
 /// Turned by half a turn about a skew axis, moved, and scaled.
 Similarity<3> motion(double scale) {
@@ -54,7 +55,8 @@ struct Notes final : Observer {
 
 class AlignShapes : public ::testing::Test {
  protected:
-  const Shape<3> reference_ = hand(), bent_ = hand("/bent");
+  const ShapePair<3> hands_ = coarse_hands();
+  const Shape<3>&reference_ = hands_.reference, &bent_ = hands_.template_shape;
 };
 
 TEST_F(AlignShapes, PairsThatContradictThoseAroundThemAreNotUsed) {
@@ -73,7 +75,7 @@ TEST_F(AlignShapes, ATurnedPairMatchesAsWellAsTheOneThatLiesAsItBelongs) {
   Notes notes;
   const MatchResult<3> straight = match_shapes(reference_, bent_, quick(AlignMode::automatic), notes);
   const MatchResult<3> result = match_shapes(reference_, target, quick(AlignMode::automatic), notes);
-  const Correspondence<3> truth = generated_correspondence<3>("generate:hand", "generate:hand/bent");
+  const Correspondence<3> truth = truth_of_coarse_hands();
   std::vector<Vec<3>> turned_back;
   for (const Vec<3>& y : result.deformed.vertices) turned_back.push_back(by.inverse(y));
   const double diagonal = bounding_box(bent_.original.vertices).diagonal();
@@ -211,7 +213,7 @@ TEST(AlignOutlines, CirclesStayWhereTheyAre) {
 }
 
 TEST(MirroringPose, KeepsFacetsFacingOutward) {
-  Surface<3> surface = hand().surface;
+  Surface<3> surface = coarse_hands().reference.surface;
   Similarity<3> mirror;
   mirror.rotation = Vec<3>(-1, 1, 1).asDiagonal();
   const auto volume = [](const Surface<3>& s) {

@@ -2,9 +2,9 @@
 
 #include "matching/alignment/choose_start.h"
 
-#include "matching/experiment/generated_source.h"
 #include "matching/input/shape_source.h"
 #include "matching/result/correspondence.h"
+#include "tests/matching/alignment/coarse_hands.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ Similarity<3> half_turn(const ShapePair<3>& shapes, int axis) {
 /// Every k-th vertex and where it belongs; both through `pose` first, so that with a turn the pairs are wrong, but fit
 /// the pose.
 Start<3> hand_start(const ShapePair<3>& hands, const Similarity<3>& pose, double score) {
-  const Correspondence<3> truth = generated_correspondence<3>("generate:hand", "generate:hand/bent");
+  const Correspondence<3> truth = testing::truth_of_coarse_hands();
   Start<3> start;
   const auto& x = hands.reference.original.vertices;
   const bool is_right = pose.is_identity();
@@ -77,7 +77,7 @@ StartChoice choice_of(const ShapePair<Dim>& shapes, const std::vector<Start<Dim>
 }
 
 TEST(ChooseStart, OfSurfacesTheFirstIsChosenWithoutTrials) {
-  const ShapePair<3> hands = generated<3>("hand", "hand/bent");
+  const ShapePair<3> hands = testing::coarse_hands();
   const Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.33);
   Start<3> right = hand_start(hands, {}, 0.33);
   right.margin = 1.2;  // beside the other
@@ -92,7 +92,7 @@ TEST(ChooseStart, OfSurfacesTheFirstIsChosenWithoutTrials) {
 }
 
 TEST(ChooseStart, WhereDescriptorsLeaveItOpenTheLikenessAfterATrialDecides) {
-  const ShapePair<3> hands = generated<3>("hand", "hand/bent");
+  const ShapePair<3> hands = testing::coarse_hands();
   Start<3> wrong = hand_start(hands, half_turn(hands, 1), 0.33), right = hand_start(hands, {}, 0.33);
   wrong.order = 0.2;
   right.order = 0.21;
@@ -234,7 +234,7 @@ TEST(ChooseStart, AMirrorImageThatIsAsGoodIsNoDoubt) {
 
 TEST(Trial, ReportsEnergyAndCoverage) {
   Observer quiet;
-  const ShapePair<3> hands = generated<3>("hand", "hand/bent");
+  const ShapePair<3> hands = testing::coarse_hands();
   const std::vector<Landmark<3>> no_landmarks;
   const ExperimentOptions o = quick();
   Trials<3> trials(hands, no_landmarks, o, quiet);

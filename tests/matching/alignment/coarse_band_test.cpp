@@ -3,22 +3,16 @@
 #include "matching/alignment/known_pairs.h"
 
 #include "matching/alignment/trial.h"
-#include "matching/experiment/generated_source.h"
-#include "matching/input/shape_source.h"
 #include "matching/match_shapes.h"
 #include "matching/pair_level.h"
+#include "tests/matching/alignment/coarse_hands.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
-#include <variant>
 
 namespace shellmatch {
 namespace {
-
-ShapePair<3> hands() {
-  return {std::get<Shape<3>>(open_shape("generate:hand")), std::get<Shape<3>>(open_shape("generate:hand/bent"))};
-}
 
 ExperimentOptions to_level_4() {
   ExperimentOptions o = profile_defaults(Profile::standard);
@@ -69,22 +63,22 @@ TEST(CoarseBand, IsNarrowAndLevelsEndEarlyWhereAPredictedPoseIsNear) {
 TEST(CoarseBand, IsThatOfTheCascadeAndOfItsLevelsAsObjects) {
   Observer quiet;
   ExperimentOptions o = to_level_4();
-  const MatchResult<3> led = match_shapes(hands(), o, quiet, {});
+  const MatchResult<3> led = match_shapes(testing::coarse_hands(), o, quiet, {});
   ASSERT_GT(led.summary.alignment->n_pairs, 0u);
   EXPECT_EQ(led.summary.levels.front().sigma, 1.5 / 8);
   EXPECT_EQ(led.summary.levels.back().sigma, 2.0 / 16);
-  EXPECT_EQ(PairLevel<3>(hands(), {}, o, 3, quiet).energy().sigma, 1.5 / 8);
+  EXPECT_EQ(PairLevel<3>(testing::coarse_hands(), {}, o, 3, quiet).energy().sigma, 1.5 / 8);
   o.align.mode = AlignMode::none;
-  EXPECT_EQ(match_shapes(hands(), o, quiet, {}).summary.levels.front().sigma, 3.0 / 8);
-  EXPECT_EQ(PairLevel<3>(hands(), {}, o, 3, quiet).energy().sigma, 3.0 / 8);
+  EXPECT_EQ(match_shapes(testing::coarse_hands(), o, quiet, {}).summary.levels.front().sigma, 3.0 / 8);
+  EXPECT_EQ(PairLevel<3>(testing::coarse_hands(), {}, o, 3, quiet).energy().sigma, 3.0 / 8);
 }
 
 // Starts with and without pairs are compared by their energies, which a narrow band lowers; directions by the maps that
 // a run would begin with.
 TEST(CoarseBand, IsTheSameForAllStartsThatAreComparedByEnergy) {
-  const ShapePair<3> shapes = hands();
+  const ShapePair<3> shapes = testing::coarse_hands();
   Alignment<3> start;
-  for (const auto& [vertex, place] : generated_correspondence<3>("generate:hand", "generate:hand/bent"))
+  for (const auto& [vertex, place] : testing::truth_of_coarse_hands())
     if (vertex % 10 == 0)
       start.pairs.push_back({std::to_string(vertex), shapes.reference.original.vertices[vertex], place});
   Observer quiet;

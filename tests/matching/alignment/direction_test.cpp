@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "geometry/repair/make_shape.h"
 #include "geometry/surface/subdivision.h"
-#include "matching/experiment/generated_source.h"
 #include "matching/alignment/trial.h"
 #include "matching/input/shape_source.h"
 #include "matching/map_file/deformation_file.h"
@@ -14,6 +13,7 @@
 #include "matching/run_gradient_check.h"
 #include "matching/run_matching.h"
 #include "matching/write_result.h"
+#include "tests/matching/alignment/coarse_hands.h"
 #include "tests/matching/alignment/letter.h"
 #include "tests/matching/output/temporary_folder.h"
 
@@ -60,14 +60,15 @@ struct Words final : Observer {
 };
 
 TEST(MatchBackward, AHandEndsWhereItBelongsAlsoWhereTheTemplateIsTurnedAndLarger) {
-  const Shape<3> hand = generated<3>("hand");
+  const ShapePair<3> hands = testing::coarse_hands();
+  const Shape<3>& hand = hands.reference;
   const Similarity<3> by{20, Vec<3>(3, -7, 1),
                          Eigen::AngleAxisd(3.0, Vec<3>(1, 0.4, -0.3).normalized()).toRotationMatrix()};
-  const Shape<3> target = moved(generated<3>("hand/bent"), by);
+  const Shape<3> target = moved(hands.template_shape, by);
   const double diagonal = bounding_box(target.original.vertices).diagonal();
   Observer quiet;
   const MatchResult<3> r = match_shapes(hand, target, options_to(5, MatchDirection::backward), quiet);
-  Correspondence<3> truth = generated_correspondence<3>("generate:hand", "generate:hand/bent");
+  Correspondence<3> truth = testing::truth_of_coarse_hands();
   for (auto& [vertex, place] : truth) place = by(place);
   EXPECT_LT(correspondence_error(truth, r.deformed.vertices), 0.02 * diagonal);
 

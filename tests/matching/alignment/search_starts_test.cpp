@@ -13,7 +13,10 @@ namespace {
 
 TEST(SearchStarts, ATurnedSurfaceFindsTheSameMapAsTheOneThatLiesAsItBelongs) {
   const auto shape = [](const char* name) { return std::get<Shape<3>>(open_shape(name)); };
-  const AlignOptions options;
+  AlignOptions options;
+  options.search.max_vertices = 2000;
+  options.search.functions = 60;
+  options.search.refined = 2;
   const Shape<3> bent = shape("generate:dolphin/bent");
   const StartSearch<3> straight = search_starts(ShapePair<3>{shape("generate:dolphin/straight"), bent}, {}, options),
                        reversed = search_starts(ShapePair<3>{shape("generate:dolphin/reversed"), bent}, {}, options);
@@ -58,7 +61,7 @@ TEST(SearchStarts, LandmarksReachTheSearchAndMakeItsPairsCertain) {
 TEST(SearchStarts, PairsThatContradictThoseAroundThemAreTheLast) {
   const auto shape = [](const char* name) { return std::get<Shape<3>>(open_shape(name)); };
   AlignOptions options;
-  options.search.max_vertices = 2000;
+  options.search.max_vertices = 1000;
   options.search.functions = 40;
   options.search.refined = 3;
   const auto contradicting = [&](const char* reference, const char* target) {

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "energies/assembly/folds.h"
+#include "geometry/generate/generate_shape.h"
 #include "matching/derivative_check/check_state.h"
 #include "matching/run_gradient_check.h"
 #include "matching/experiment/yaml_options.h"
@@ -59,13 +60,26 @@ GradientReport compared(PairLevel<Dim>& level, const CheckState& state) {
                              [](const std::string&) {});
 }
 
+/// The shape that an experiment names; built-in surfaces with edges that suit the levels here.
+ShapeInput coarse(const std::string& source) {
+  ShapeInput input{source};
+  const std::string prefix = "generate:";
+  if (!source.starts_with(prefix)) return input;
+  const std::size_t slash = std::min(source.find('/'), source.size());
+  const std::string name = source.substr(prefix.size(), slash - prefix.size());
+  const std::string variant = source.substr(std::min(slash + 1, source.size()));
+  const AnyOriginal shape = generate_shape(name, variant, 0.02);
+  if (const auto* surface = std::get_if<OriginalShape<3>>(&shape)) input.contents = *surface;
+  return input;
+}
+
 struct Compared {
   CheckState state;
   Evaluator evaluator;
   GradientReport report;
 };
 
-// Shapes take longest to make, and then levels: an experiment's shapes are made once, and one level for each evaluator.
+// Shapes and levels take longest to make: an experiment's shapes are made once, and one level for each evaluator.
 std::vector<Compared> compared(ExperimentOptions options) {
   Observer silent;
   // Shapes that are used as they are may lie beside the outermost cells of level 4, and leave level 3 no room.
@@ -87,7 +101,9 @@ std::vector<Compared> compared(ExperimentOptions options) {
     }
     return all;
   };
-  return std::visit(with_shapes, open_shape_pair(options.input, options.landmarks, silent));
+  const InputOptions& input = options.input;
+  return std::visit(with_shapes, open_shape_pair({coarse(input.reference), coarse(input.template_file)}, input,
+                                                 options.landmarks, silent));
 }
 
 // The two evaluators share the terms' functors and the fields, and no further code: the check's sums are made by Ceres'
