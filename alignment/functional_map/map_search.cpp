@@ -2,6 +2,7 @@
 
 #include "alignment/clear_margin.h"
 #include "alignment/functional_map/starts.h"
+#include "base/error.h"
 #include "base/parallel.h"
 #include "base/stop.h"
 #include "geometry/distance/surface_distance.h"
@@ -218,6 +219,8 @@ struct CoarseMaps {
 };
 
 CoarseMaps coarse_maps(const ShapePairSpectra& pair, const AlignmentOptions& options, SearchProgress& progress) {
+  if (pair.n_functions < n_scored)
+    throw_input_error("maps are compared by {} eigenfunctions, of which there are {}", n_scored, pair.n_functions);
   std::vector<Eigen::MatrixXd> starts;
   if (!are_ambiguous(*pair.shapes[0], *pair.shapes[1]))
     starts = start_maps(pair.shapes[0]->values, pair.shapes[1]->values, options.start_functions, options.swap_ratio);

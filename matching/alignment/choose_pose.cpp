@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace shellmatch {
 
@@ -23,6 +24,39 @@ Similarity<2> fitted_pose(const std::vector<CorrespondingPointsIn<2>>& pairs, Po
 
 // Sizes that differ by less are those of two individuals: the elastic energy is to decide about them.
 constexpr double similar_size = 1.25;
+
+constexpr std::size_t many_pairs = 50, near_pairs = 16, most_centres = 500;
+
+/// How many times as large the template is: the median over points of what the distances of their nearest neighbours
+/// are multiplied by.
+template <int Dim>
+double local_size(const std::vector<CorrespondingPointsIn<Dim>>& pairs) {
+  std::vector<double> ratios;
+  std::vector<std::pair<double, std::size_t>> nearest(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); i += 1 + pairs.size() / most_centres) {
+    for (std::size_t j = 0; j < pairs.size(); ++j)
+      nearest[j] = {(pairs[j].on_reference - pairs[i].on_reference).norm(), j};
+    std::ranges::partial_sort(nearest, nearest.begin() + near_pairs + 1);
+    double here = 0, there = 0;
+    for (std::size_t k = 0; k <= near_pairs; ++k) {
+      here += nearest[k].first;
+      there += (pairs[nearest[k].second].on_template - pairs[i].on_template).norm();
+    }
+    if (here > 0 && there > 0) ratios.push_back(there / here);
+  }
+  if (ratios.empty()) return 1;
+  std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
+  return ratios[ratios.size() / 2];
+}
+
+/// The best pose of this scale.
+template <int Dim>
+Similarity<Dim> pose_of_scale(std::vector<CorrespondingPointsIn<Dim>> pairs, double scale, Mirroring mirroring) {
+  for (auto& pair : pairs) pair.on_reference *= scale;
+  Similarity<Dim> pose = fitted_pose(pairs, PoseKind::rigid, mirroring);
+  pose.scale = scale;
+  return pose;
+}
 
 }  // namespace
 
@@ -48,13 +82,13 @@ std::string pose_text(const Similarity<Dim>& pose, std::string_view moved) {
 
 template <int Dim>
 Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options,
-                            Mirroring mirroring, LengthUnit unit) {
+                            Mirroring mirroring) {
   if (options.mode == AlignMode::rigid) return fitted_pose(pairs, PoseKind::rigid, mirroring);
-  const Similarity<Dim> similar = fitted_pose(pairs, PoseKind::similarity, mirroring);
-  if (options.mode != AlignMode::automatic) return similar;
-  const bool same_size =
-      unit == LengthUnit::shared || (similar.scale < similar_size && similar.scale > 1 / similar_size);
-  const Similarity<Dim> pose = same_size ? fitted_pose(pairs, PoseKind::rigid, mirroring) : similar;
+  if (options.mode != AlignMode::automatic) return fitted_pose(pairs, PoseKind::similarity, mirroring);
+  double size =
+      pairs.size() < many_pairs ? fitted_pose(pairs, PoseKind::similarity, mirroring).scale : local_size(pairs);
+  if (size < similar_size && size > 1 / similar_size) size = 1;
+  const Similarity<Dim> pose = pose_of_scale(pairs, size, mirroring);
   const bool gains = median_distance(pairs, Similarity<Dim>{}) > options.pose_gain * median_distance(pairs, pose);
   return gains ? pose : Similarity<Dim>{};
 }
@@ -63,7 +97,7 @@ Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs
   template double angle_in_degrees<Dim>(const Mat<Dim>&);                                                        \
   template std::string pose_text<Dim>(const Similarity<Dim>&, std::string_view);                                 \
   template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, \
-                                            Mirroring, LengthUnit)
+                                            Mirroring)
 SHELLMATCH_INSTANTIATE(2);
 SHELLMATCH_INSTANTIATE(3);
 #undef SHELLMATCH_INSTANTIATE

@@ -13,16 +13,13 @@
 
 namespace shellmatch {
 
-/// Whether lengths of both shapes are known to be comparable, as those of a part and its whole: bent limbs alone
-/// suggest other sizes.
-enum class LengthUnit { any, shared };
-
 /// The pose that `options.mode` asks for. With `auto` it is a rigid motion, or a similarity where the sizes differ by
-/// more than a quarter and `unit` is not shared, and the identity unless that brings the pairs nearer by
-/// options.pose_gain. With `landmarks`, a similarity. \throws InputError where the points determine no pose
+/// more than a quarter, and the identity unless that brings the pairs nearer by options.pose_gain. Of fifty pairs or
+/// more the sizes are compared by distances between neighbours: the best similarity between a body that stands and one
+/// that crouches halves it. With `landmarks`, a similarity. \throws InputError where the points determine no pose
 template <int Dim>
 Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options,
-                            Mirroring mirroring, LengthUnit unit = LengthUnit::any);
+                            Mirroring mirroring);
 
 /// Of the rotation, in degrees, at most 180. Where it is mirrored, of the rotation after a reflection: in space at the
 /// origin, in the plane at the x axis.

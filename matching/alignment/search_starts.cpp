@@ -70,10 +70,10 @@ bool are_spread(const std::vector<Landmark<3>>& landmarks, const Surface<3>& sur
 /// Gives a start its pose. Pairs that a wrong map has brought together on a line are as good as none.
 template <int Dim>
 void set_pose(Start<Dim>& start, const std::vector<CorrespondingPointsIn<Dim>>& pairs, const AlignOptions& options,
-              Mirroring mirroring, LengthUnit unit) {
+              Mirroring mirroring) {
   if (!start.is_usable()) return;
   try {
-    start.alignment.pose = choose_pose<Dim>(pairs, options, mirroring, unit);
+    start.alignment.pose = choose_pose<Dim>(pairs, options, mirroring);
   } catch (const InputError&) {
     start.n_pairs = 0;
   }
@@ -86,8 +86,7 @@ Start<Dim> start_of(const auto& candidate, double spread, const AlignOptions& op
   start.score = std::max(0.0, candidate.score);  // rounding
   start.is_identity = candidate.is_identity && !candidate.is_mirrored;
   start.is_mirrored = candidate.is_mirrored;
-  set_pose(start, candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never,
-           LengthUnit::any);
+  set_pose(start, candidate.pairs, options, candidate.is_mirrored ? Mirroring::always : Mirroring::never);
   if (!start.is_usable()) return start;
   start.alignment.spread = spread;
   if (!with_pairs || !(options.weight > 0)) return start;
@@ -152,8 +151,7 @@ StartSearch<3> search_partial_starts(const ShapePair<3>& shapes, const std::vect
     start.score = candidate.score;
     start.order = candidate.order;
     start.landmark_distance = candidate.landmark_distance;
-    set_pose(start, candidate.pairs, options, Mirroring::never,
-             found.scale == 1 ? LengthUnit::shared : LengthUnit::any);
+    set_pose(start, candidate.pairs, options, Mirroring::never);
     if (!start.is_usable()) continue;
     start.alignment.is_of_part = true;
     start.alignment.spread = spread_at(candidate.score, 0);

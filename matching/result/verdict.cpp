@@ -26,13 +26,13 @@ struct AllLimits {
   Limits unreached;        // share of the template
   Limits flipped;          // share of the reference
   Limits turned_angles;    // 95 % of the area have less
-  Limits stretched_areas;  // factor; 95 % of the area have less; of lengths in the plane the square root
+  Limits stretched_areas;  // factor against the mean, of 95 % of the area; of lengths in the plane its square root
 };
 constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08}, {20, 48}, {4, 12}};
 // Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same. The less it is
 // vouched for, the nearer are its limits to the usual ones.
 constexpr AllLimits of_vouched{{0.008, 0.03}, {0.12, 0.25}, {0.06, 0.2}, {0.06, 0.15}, {52, 60}, {5, 12}};
-constexpr double alike = 0.4;
+constexpr double alike = 0.4, unlike = 0.5;              // spin differences
 constexpr double few_pairs = 0.75, enough_pairs = 0.85;  // shares of the samples
 constexpr double much_invented = 0.5;                    // share of a shape's area
 // Landmarks set by hand are wrong by less, a landmark on another limb by more.
@@ -83,17 +83,19 @@ class Reasons {
 };
 
 // How far a map is vouched for, from 0 to 1: a search has found it nearly isometric and better than any other, for 1
-// clearly so, nearly all samples have a pair, and what corresponds in the end looks alike. Exchanged sides look alike,
-// too, but are not clearly better or worse than the right ones. Where limbs go wrong, samples on them have no pair.
+// clearly so, nearly all samples have a pair, and what corresponds in the end looks alike, all to some degree.
+// Exchanged sides look alike, too, but are not clearly better or worse than the right ones. Where limbs go wrong,
+// samples on them have no pair.
 double vouched_share(const MatchSummary& summary) {
   const auto& a = summary.alignment;
   const bool is_sound = a && !a->doubtful && !a->as_it_lies && a->n_pairs > 0 && a->score &&
-                        *a->score <= nearly_isometric && summary.spin_difference && *summary.spin_difference <= alike;
+                        *a->score <= nearly_isometric && summary.spin_difference && *summary.spin_difference < unlike;
   if (!is_sound) return 0;
   const bool one_is_part = summary.reference.may_be_part() || summary.template_shape.may_be_part();
   const double clear = one_is_part ? clear_margin_of_part : clear_margin;
-  return std::clamp(std::min((a->margin.value_or(clear) - 1) / (clear - 1),
-                             (a->pair_share.value_or(1) - few_pairs) / (enough_pairs - few_pairs)),
+  return std::clamp(std::min({(a->margin.value_or(clear) - 1) / (clear - 1),
+                              (a->pair_share.value_or(1) - few_pairs) / (enough_pairs - few_pairs),
+                              (unlike - *summary.spin_difference) / (unlike - alike)}),
                     0.0, 1.0);
 }
 
@@ -172,9 +174,10 @@ void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, 
                              *summary.angle_distortion->p95),
                  wrong, "deformed", places.distorted});
   if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {
-    const double factor = std::max(*area->p95, 1 / *area->p5);
+    // Another size of the whole distorts nothing.
+    const double factor = std::max(*area->p95 / area->mean, area->mean / *area->p5);
     reasons.add(summary.dimension == 2 ? factor * factor : factor, limits.stretched_areas,
-                {fmt::format("{} change by a factor of more than {} on a twentieth of the {}",
+                {fmt::format("against their mean {} change by a factor of more than {} on a twentieth of the {}",
                              summary.dimension == 2 ? "lengths" : "areas", figure_text(factor),
                              summary.dimension == 2 ? "curve" : "surface"),
                  wrong, "deformed", places.distorted});

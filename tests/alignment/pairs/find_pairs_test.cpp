@@ -300,6 +300,9 @@ TEST(FindPairs, SurfacesThatCannotBeMatchedAreRefused) {
   Surface<3> broken = hand();
   broken.vertices[3][0] = std::nan("");
   EXPECT_THROW(find_pairs(broken, hand(), quick()), InputError);
+  AlignmentOptions few = quick();
+  few.functions = 39;
+  EXPECT_THROW(find_pairs(hand(), hand(), few), InputError);
 }
 
 TEST(FindPairs, TellWhetherTheMirroredReferenceFits) {

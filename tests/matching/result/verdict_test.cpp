@@ -80,8 +80,8 @@ TEST(Verdict, LimbsMayTurnAndTouchWhereTheSearchIsSureAndWhatCorrespondsLooksAli
        {+[](MatchSummary& s) { s.alignment->score = 0.85; }, +[](MatchSummary& s) { s.alignment->margin = 1; },
         +[](MatchSummary& s) { s.alignment->as_it_lies = true; },
         +[](MatchSummary& s) { s.alignment->doubtful = true; }, +[](MatchSummary& s) { s.alignment->n_pairs = 0; },
-        +[](MatchSummary& s) { s.alignment.reset(); }, +[](MatchSummary& s) { s.spin_difference = 0.45; },
-        +[](MatchSummary& s) { s.spin_difference.reset(); }}) {
+        +[](MatchSummary& s) { s.alignment.reset(); }, +[](MatchSummary& s) { s.spin_difference = 0.5; },
+        +[](MatchSummary& s) { s.spin_difference = nan; }, +[](MatchSummary& s) { s.spin_difference.reset(); }}) {
     MatchSummary unsure = vouched_summary();
     spoil(unsure);
     EXPECT_EQ(judge(unsure, places).outcome, "not-matched");
@@ -117,6 +117,11 @@ TEST(Verdict, LimbsMayTurnAndTouchWhereTheSearchIsSureAndWhatCorrespondsLooksAli
   EXPECT_EQ(judge(half, places).outcome, "matched");
   half.alignment->pair_share = 0.78;
   EXPECT_EQ(judge(half, places).outcome, "look-here");
+  half.alignment->pair_share = 0.9;
+  half.spin_difference = 0.449;
+  EXPECT_EQ(judge(half, places).outcome, "matched");
+  half.spin_difference = 0.46;
+  EXPECT_EQ(judge(half, places).outcome, "look-here");
   MatchSummary mirrored = vouched_summary();
   mirrored.alignment->fits_mirrored = true;
   EXPECT_EQ(judge(mirrored, places).outcome, "look-here");
@@ -135,7 +140,7 @@ TEST(Verdict, WhatAPartLacksIsNoReasonWhereTheMapIsVouchedFor) {
   EXPECT_EQ(judge(unclear, places).outcome, "matched");
   unclear.alignment->margin = 1.1;
   EXPECT_EQ(judge(unclear, places).outcome, "look-here") << "of a part another map may differ in one limb only";
-  s.spin_difference = 0.45;
+  s.spin_difference = 0.5;
   s.angle_distortion->p95 = 15;
   s.flipped_share = 0.003;
   EXPECT_EQ(judge(s, places).outcome, "look-here");
@@ -186,6 +191,15 @@ TEST(Verdict, LengthsInThePlaneMayChangeByTheRootOfWhatAreasMay) {
     EXPECT_EQ(judge(s, places).outcome, outcome) << factor;
   }
   EXPECT_NE(judge(s, places).reasons[0].what.find("lengths change by a factor of more than 3.5"), std::string::npos);
+}
+
+// A boy on a man.
+TEST(Verdict, AnotherSizeOfTheWholeDistortsNothing) {
+  MatchSummary s = good_summary();
+  s.area_distortion = DistortionSummary{5, 1, 25, 3, 8.5};
+  EXPECT_EQ(judge(s, places).outcome, "matched");
+  s.area_distortion->p5 = 1.2;
+  EXPECT_EQ(judge(s, places).outcome, "look-here");
 }
 
 TEST(Verdict, NoNumberIsNoMatch) {
