@@ -26,7 +26,7 @@ struct AllLimits {
   Limits unreached;        // share of the template
   Limits flipped;          // share of the reference
   Limits turned_angles;    // 95 % of the area have less
-  Limits stretched_areas;  // factor against the mean, of 95 % of the area; of lengths in the plane its square root
+  Limits stretched_areas;  // factor, also against the mean, of 95 % of the area; of lengths in the plane its root
 };
 constexpr AllLimits usual{{0.005, 0.03}, {0.03, 0.2}, {0.015, 0.05}, {0.02, 0.08}, {20, 48}, {4, 12}};
 // Where the map is vouched for: limbs in other poses turn and touch, and the map is right all the same. The less it is
@@ -174,10 +174,11 @@ void judge_distortion(const MatchSummary& summary, const VerdictPlaces& places, 
                              *summary.angle_distortion->p95),
                  wrong, "deformed", places.distorted});
   if (const auto& area = summary.area_distortion; area && area->p5 && area->p95) {
+    const auto factor_against = [&](double size) { return std::max(*area->p95 / size, size / *area->p5); };
     // Another size of the whole distorts nothing.
-    const double factor = std::max(*area->p95 / area->mean, area->mean / *area->p5);
+    const double factor = std::min(factor_against(1), factor_against(area->mean));
     reasons.add(summary.dimension == 2 ? factor * factor : factor, limits.stretched_areas,
-                {fmt::format("against their mean {} change by a factor of more than {} on a twentieth of the {}",
+                {fmt::format("{} change by a factor of more than {} on a twentieth of the {}",
                              summary.dimension == 2 ? "lengths" : "areas", figure_text(factor),
                              summary.dimension == 2 ? "curve" : "surface"),
                  wrong, "deformed", places.distorted});
