@@ -51,8 +51,8 @@ struct AutomaticPairs {
 /// the surfaces as they lie comes first where another differs by less than rounding and sampling do. \param landmarks
 /// known pairs, in the coordinates of the surfaces; four or more give a start of their own, take part in the order
 ///   of candidates, and make their pairs more exact. Those that contradict most others count little.
-/// \throws InputError for surfaces without area or with coordinates that are not finite, and with less than 40
-/// functions
+/// \throws InputError for surfaces without area or with coordinates that are not finite, and with fewer than 40
+/// options.functions
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
                           const AlignmentOptions& options = {}, std::span<const CorrespondingPoints> landmarks = {});
 

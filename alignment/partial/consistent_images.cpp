@@ -37,8 +37,8 @@ struct Extended {
 
 /// Placements that differ little from the first of them.
 struct Variants {
-  std::size_t from;
-  int image;
+  std::size_t from;  ///< the kept placement that the first one goes on from
+  int image;         ///< its last one
   std::size_t n;
 };
 
