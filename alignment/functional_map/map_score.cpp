@@ -40,6 +40,16 @@ VertexSet end_points(const ShapePairSpectra& pair, const std::vector<std::pair<I
   return set;
 }
 
+/// The images of the tips of surface s: those of the samples next to them.
+std::vector<Index> tip_images(const ShapePairSpectra& pair, const VertexMatches& matches, int s) {
+  std::vector<Index> images;
+  for (const SurfaceTip& tip : pair.shapes[s]->tips) {
+    const auto nearest = std::ranges::min_element(matches.from[s], {}, [&](Index v) { return tip.distances[v]; });
+    images.push_back(matches.to[s][static_cast<std::size_t>(nearest - matches.from[s].begin())]);
+  }
+  return images;
+}
+
 Mat<3> rotation_between(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Mat<3> covariance = to * from.transpose();
   const Svd<Mat<3>> svd = jacobi_svd(covariance);
@@ -106,6 +116,8 @@ MapScore score_samples(const ShapePairSpectra& pair, const VertexMatches& matche
 
 MapScore score_map(const ShapePairSpectra& pair, const VertexMatches& matches, const Eigen::MatrixXd& c) {
   MapScore score = score_samples(pair, matches, c);
+  score.tips = tip_disorder(pair.shapes[0]->tips, tip_images(pair, matches, 0), pair.shapes[1]->tips,
+                            tip_images(pair, matches, 1));
   if (pair.landmarks.empty()) return score;
   score.landmarks = quantile(landmark_distances(pair, matches), 0.5);
   score.landmark_noise = landmark_noise(pair, matches);

@@ -13,13 +13,14 @@ struct MapScore {
   double orientation = 0;     ///< mean of (1 - n . n') / 2 over normals and pulled back normals
   double pose = 0;            ///< root mean square distance after a proper rotation, in roots of the area
   double spin = 0;            ///< mean square difference of spin images, at most 2
+  double tips = 0;            ///< tip_disorder(); no part of the total
   double landmarks = 0;       ///< median of landmark_distances(), 0 without landmarks; no part of the total
   double landmark_noise = 0;  ///< landmark_noise(); no part of the total
 
   double total() const { return functions + signature + orientation + pose; }
   /// What tells right from wrong among maps of the same two surfaces. Where limbs point does not count: poses do not
   /// tell front from back.
-  double distinction() const { return (functions + signature + orientation) * spin; }
+  double distinction() const { return (functions + signature + orientation) * spin * tip_factor(tips); }
 };
 
 /// The errors of a map with this total score over those of maps between nearly isometric surfaces; at least 1.

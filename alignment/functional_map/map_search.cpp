@@ -26,9 +26,24 @@ constexpr int n_scored = 40;  // functions at which candidates are compared
 // pairs of animals and people end alike.
 constexpr int n_promising = 16;
 constexpr std::size_t n_tip_starts = 24;
+// Of distances from tips beside functions of mean square 1, for a map that began with tips.
+constexpr double tip_weight = 5;
 const std::vector<int> first_steps = {9, 11, 13}, last_steps = {16, 20, 25, 32, n_scored};
 constexpr double least_landmark_scale =
     0.05;  // distance at which a landmark has half its weight at least, in roots of the area
+
+/// Adds the rows that hold a map near the tips that it began with, if it did.
+void append_tips(const MapCandidate& candidate, const VertexSet (&sets)[2], Embedding& embedding) {
+  const Eigen::Index m = candidate.tips[0].rows();
+  if (m == 0) return;
+  for (int s = 0; s < 2; ++s) {
+    Features& features = embedding.on[s];
+    features.conservativeResize(features.rows() + m, static_cast<Eigen::Index>(sets[s].size()));
+    for (std::size_t i = 0; i < sets[s].size(); ++i)
+      features.col(static_cast<Eigen::Index>(i)).tail(m) =
+          static_cast<float>(tip_weight) * candidate.tips[s].col(sets[s].vertices[i]);
+  }
+}
 
 /// Alternates nearest neighbours and functional maps for every number of functions in `steps`.
 void upsample(const ShapePairSpectra& pair, const std::vector<int>& steps, double normal_weight,
@@ -36,8 +51,9 @@ void upsample(const ShapePairSpectra& pair, const std::vector<int>& steps, doubl
   for (const int k : steps) {
     if (k > candidate.c.rows()) candidate.c = orthogonal_map(pair, candidate.matches, std::min(k, pair.n_functions));
     const VertexSet(&sets)[2] = k <= first_steps.back() ? pair.coarsest : pair.coarse;
-    candidate.matches = match_vertices(sets, spectral_embedding(pair, sets, candidate.c, normal_weight),
-                                       pair.landmarks.size() + n_queries);
+    Embedding embedding = spectral_embedding(pair, sets, candidate.c, normal_weight);
+    append_tips(candidate, sets, embedding);
+    candidate.matches = match_vertices(sets, embedding, pair.landmarks.size() + n_queries);
   }
 }
 
@@ -84,9 +100,11 @@ void append_rotated(const SpectralShape& shape, const Columns4& smoothed, const 
 }
 
 /// Matches by the map so far, by rotated smooth coordinates and by rotated normals.
-VertexMatches match_rotated(const ShapePairSpectra& pair, const Eigen::MatrixXd& c, const Mat<3>& rotation) {
+VertexMatches match_rotated(const ShapePairSpectra& pair, const MapCandidate& candidate, const Mat<3>& rotation) {
+  const Eigen::MatrixXd& c = candidate.c;
   Embedding embedding;
   if (c.rows() > 0) embedding = spectral_embedding(pair, pair.coarsest, c, 0);
+  append_tips(candidate, pair.coarsest, embedding);
   const Mat<3> rotations[2] = {rotation, Mat<3>::Identity()};
   for (int s = 0; s < 2; ++s)
     append_rotated(*pair.shapes[s], pair.smoothed[s].with(std::min(n_smooth, pair.n_functions)).coordinates,
@@ -119,20 +137,23 @@ void refine_coarsely(const ShapePairSpectra& pair, const std::vector<int>& steps
 
 /// From a first map on n_merged functions to one on few more, with the rotated surfaces, and its score.
 void refine_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCandidate& candidate) {
-  candidate.matches = match_rotated(pair, candidate.c, rotation);
+  candidate.matches = match_rotated(pair, candidate, rotation);
   candidate.c.resize(0, 0);
   refine_coarsely(pair, first_steps, candidate);
 }
 
 /// The first map that ends of limbs suggest.
 void start_by_tips(const ShapePairSpectra& pair, const TipAssignment& tips, MapCandidate& candidate) {
-  candidate.matches = match_by_tips(pair, tips, n_queries);
+  Embedding embedding;
+  for (int s = 0; s < 2; ++s) candidate.tips[s] = tip_features(*pair.shapes[s], tips, s);
+  append_tips(candidate, pair.coarsest, embedding);
+  candidate.matches = match_vertices(pair.coarsest, embedding, pair.landmarks.size() + n_queries);
   upsample(pair, {n_merged}, 0, candidate);
 }
 
 /// The first map that the surfaces suggest after a rotation, by their smoothed coordinates alone.
 void start_rotated(const ShapePairSpectra& pair, const Mat<3>& rotation, MapCandidate& candidate) {
-  candidate.matches = match_rotated(pair, {}, rotation);
+  candidate.matches = match_rotated(pair, candidate, rotation);
   upsample(pair, {n_merged}, 0, candidate);
 }
 
@@ -155,8 +176,9 @@ void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, Map
   for (const int k : steps) {
     candidate.c =
         functional_map(pair, candidate.matches, k, landmark_weights(pair, candidate.matches, trust_in_landmarks));
-    const Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight,
-                                                   local_weight(pair, candidate.matches, candidate.c));
+    Embedding embedding = spectral_embedding(pair, pair.dense, candidate.c, embedded_normal_weight,
+                                             local_weight(pair, candidate.matches, candidate.c));
+    append_tips(candidate, pair.dense, embedding);
     const std::size_t n_samples = k <= n_scored ? n_refined_queries / 2 : n_refined_queries;
     candidate.matches = match_vertices(pair.dense, embedding, pair.landmarks.size() + n_samples);
   }

@@ -19,6 +19,8 @@ struct MapCandidate {
   double landmark_trust =
       1;  ///< landmark_trust() of the best map: the factor on the landmarks' weights in the last refinement of all
 
+  Features tips[2];  ///< rows that hold a map that began with tips near them, a column for each vertex; none of others
+
   bool is_identity = false;      ///< began with the surfaces as they lie
   bool is_by_landmarks = false;  ///< began with landmarks
 

@@ -9,6 +9,9 @@ namespace shellmatch {
 
 namespace {
 
+// Cost where all pairs break symmetries; less where distances, which then tell more, differ by little.
+constexpr double all_broken = 0.3, little = 0.05;
+
 /// Goes through all assignments, deciding for each tip of surface 1 in turn.
 class TipSearch {
  public:
@@ -27,6 +30,17 @@ class TipSearch {
  private:
   static bool is_cheaper(const TipAssignment& a, const TipAssignment& b) {
     return std::pair(a.cost, a.pairs) < std::pair(b.cost, b.pairs);
+  }
+
+  /// Pairs that break the symmetries of the surfaces: their twins are not a pair.
+  int n_broken() const {
+    int n = 0;
+    for (const auto& [i, j] : pairs_) {
+      const int a = tip(0, i).twin, b = tip(1, j).twin;
+      const auto of_twin = std::ranges::find(pairs_, a, &std::pair<int, int>::first);
+      n += of_twin != pairs_.end() ? of_twin->second != b : (a == i) != (b == j);
+    }
+    return n;
   }
 
   const SurfaceTip& tip(int s, int i) const { return (*tips_[s])[static_cast<std::size_t>(i)]; }
@@ -52,7 +66,9 @@ class TipSearch {
   void finish(double stretch, double prominence) {
     if (pairs_.size() < 3) return;
     const auto m = static_cast<double>(pairs_.size());
-    const double cost = stretch / (m * (m - 1) / 2) + 1 - prominence / all_prominences_;
+    const double mean = stretch / (m * (m - 1) / 2);
+    const double cost =
+        mean + 1 - prominence / all_prominences_ + std::min(1.0, mean / little) * all_broken * n_broken() / m;
     if (best_.size() == n_ && cost >= best_.front().cost) return;
     best_.push_back({pairs_, cost});
     std::push_heap(best_.begin(), best_.end(), is_cheaper);
@@ -76,23 +92,19 @@ std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, co
   return TipSearch(tips_1, tips_2, n).run();
 }
 
-VertexMatches match_by_tips(const ShapePairSpectra& pair, const TipAssignment& assignment, std::size_t n_queries) {
-  Embedding embedding;
-  for (int s = 0; s < 2; ++s) {
-    const VertexSet& set = pair.coarsest[s];
-    embedding.on[s].resize(static_cast<Eigen::Index>(assignment.pairs.size()), static_cast<Eigen::Index>(set.size()));
-    for (std::size_t k = 0; k < assignment.pairs.size(); ++k) {
-      const auto& [a, b] = assignment.pairs[k];
-      const SurfaceTip& tip = pair.shapes[s]->tips[static_cast<std::size_t>(s == 0 ? a : b)];
-      double sum = 0;
-      for (const auto& [c, d] : assignment.pairs)
-        sum += tip.distances[pair.shapes[s]->tips[static_cast<std::size_t>(s == 0 ? c : d)].vertex];
-      for (std::size_t i = 0; i < set.size(); ++i)
-        embedding.on[s](static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) =
-            static_cast<float>(tip.distances[set.vertices[i]] / sum);
-    }
+Features tip_features(const SpectralShape& shape, const TipAssignment& assignment, int s) {
+  Features features(static_cast<Eigen::Index>(assignment.pairs.size()), static_cast<Eigen::Index>(shape.n_vertices()));
+  const auto tip = [&](const std::pair<int, int>& p) -> const SurfaceTip& {
+    return shape.tips[static_cast<std::size_t>(s == 0 ? p.first : p.second)];
+  };
+  for (std::size_t k = 0; k < assignment.pairs.size(); ++k) {
+    const std::vector<double>& distances = tip(assignment.pairs[k]).distances;
+    double sum = 0;
+    for (const auto& other : assignment.pairs) sum += distances[tip(other).vertex];
+    for (std::size_t v = 0; v < distances.size(); ++v)
+      features(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(v)) = static_cast<float>(distances[v] / sum);
   }
-  return match_vertices(pair.coarsest, embedding, pair.landmarks.size() + n_queries);
+  return features;
 }
 
 namespace {

@@ -22,8 +22,8 @@ struct TipAssignment {
 std::vector<TipAssignment> assign_tips(const std::vector<SurfaceTip>& tips_1, const std::vector<SurfaceTip>& tips_2,
                                        std::size_t n);
 
-/// Samples matched by their distances from assigned tips.
-VertexMatches match_by_tips(const ShapePairSpectra& pair, const TipAssignment& assignment, std::size_t n_queries);
+/// Features of all vertices of surface s: their distances from assigned tips, each over the sum of those of the tips.
+Features tip_features(const SpectralShape& shape, const TipAssignment& assignment, int s);
 
 /// Signed permutations of the eigenfunctions 1 to n, which agree between two isometric surfaces up to sign and, where
 /// eigenvalues are close, order: all 2^n signs, each in all orders that swap disjoint neighbours of a ratio below

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distances along the edges of a surface, well spread samples of its vertices, and the ends of its limbs.
+/// Distances along the edges of a surface, and well spread samples of its vertices.
 
 #include "geometry/surface/surface.h"
 
@@ -62,20 +62,5 @@ using NeighbourLists = std::vector<std::vector<std::pair<double, std::size_t>>>;
 /// Of each vertex, the n others of `vertices` that are nearest along edges; fewer where no more can be reached.
 /// \pre `vertices` are distinct
 NeighbourLists nearest_along(const EdgeGraph& graph, const std::vector<Index>& vertices, std::size_t n);
-
-/// A local maximum of the mean distance. Lengths are those of the graph.
-struct SurfaceTip {
-  Index vertex;
-  double prominence;              ///< how far the mean distance falls at least on a way to a larger one
-  std::vector<double> distances;  ///< to all vertices, along edges
-};
-
-/// The most prominent tips, at most n of them, descending by their prominence, which is `least_prominence` or more.
-/// After M. Hilaga, Y. Shinagawa, T. Kohmura and T. Kunii, 'Topology matching for fully automatic similarity estimation
-/// of 3D shapes', SIGGRAPH 2001 (mean distances), and H. Edelsbrunner, D. Letscher and A. Zomorodian, 'Topological
-/// persistence and simplification', 2002. \param samples vertices well spread over the surface, to which distances are
-/// measured
-std::vector<SurfaceTip> surface_tips(const EdgeGraph& graph, const std::vector<Index>& samples, std::size_t n,
-                                     double least_prominence);
 
 }  // namespace shellmatch

@@ -3,9 +3,9 @@
 /// A surface with what spectral matching needs of it.
 
 #include "alignment/options.h"
-#include "alignment/spectrum/edge_graph.h"
 #include "alignment/spectrum/laplacian.h"
 #include "alignment/spectrum/spin_images.h"
+#include "alignment/spectrum/surface_tips.h"
 
 #include <array>
 #include <memory>

@@ -135,7 +135,7 @@ class Choosing {
     Activity trying(trials_activity, choice.n_tried);
     const auto difference = [&](std::size_t i) {
       trying.next();
-      return (bends() ? bent_trial(i) : trial(i)).spin_difference.value_or(std::numeric_limits<double>::infinity());
+      return (bends() ? bent_trial(i) : trial(i)).unlikeness().value_or(std::numeric_limits<double>::infinity());
     };
     double least = difference(choice.index) / clearly_more_alike;
     for (const std::size_t i : close) {
@@ -174,8 +174,8 @@ class Choosing {
 
 // A bent surface lies near the template whatever the map, and needs little energy: its likeness alone tells.
 bool is_more_alike(const Trial& one, const Trial& other) {
-  return one.spin_difference && other.spin_difference &&
-         clearly_more_alike * *one.spin_difference < *other.spin_difference;
+  const auto a = one.unlikeness(), b = other.unlikeness();
+  return a && b && clearly_more_alike * *a < *b;
 }
 
 template <int Dim>

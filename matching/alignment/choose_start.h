@@ -74,18 +74,18 @@ struct StartChoice {
   bool as_it_lies = false;  ///< the shapes as they lie, without pairs, are not clearly worse
 };
 
-/// Whether what corresponds looks more alike by a tenth (Trial::spin_difference).
+/// Whether what corresponds looks more alike by a tenth (Trial::unlikeness()).
 bool is_more_alike(const Trial& one, const Trial& other);
 
 /// The first usable start, if landmarks all over the template agree with any the first of those; of surfaces whose
 /// margin is not clear, the one of the least product of order and score among those close to it (not of parts), and
 /// then tries these, from the bent reference where it may bend; another takes its place where what corresponds looks
-/// more alike by a tenth (Trial::spin_difference). Of outlines, tries the first and those whose scores are less than
+/// more alike by a tenth (Trial::unlikeness()). Of outlines, tries the first and those whose scores are less than
 /// align.clear_margin times the least, if these are several. The start as the outlines lie is preferred by
 /// align.search.identity_preference, and by as much any other to a mirrored one. If what is chosen is doubtful, or
 /// another than the shapes as they lie and not clearly the best, these are tried without pairs, too, with align.mode
 /// auto, and win unless it is better than that by half in energy or in the distance of the template, or what
-/// corresponds looks more alike by a tenth (Trial::spin_difference), or landmarks all over the template agree with it.
+/// corresponds looks more alike by a tenth (Trial::unlikeness()), or landmarks all over the template agree with it.
 template <int Dim>
 StartChoice choose_start(const StartSearch<Dim>& search, const AlignOptions& options, Trials<Dim>& trials);
 

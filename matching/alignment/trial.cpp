@@ -135,6 +135,7 @@ Trials<Dim> Trials<Dim>::of_exchanged_shapes() const {
   others.shapes_ = nullptr;
   others.tried_ = std::make_shared<const ShapePair<Dim>>(ShapePair<Dim>{tried.template_shape, tried.reference});
   others.landmarks_ = exchanged(landmarks_);
+  others.limbs_.reset();
   others.as_they_lie_.reset();
   return others;
 }
@@ -166,6 +167,30 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
     activity.next(steps_after);
     if (std::isfinite(end.levels.back().minimised.sum())) measure(end, d1, d2, observed, placement);
   } catch (const InputError&) {  // no place in the domain, or no finite energy
+  }
+}
+
+template <int Dim>
+double Trials<Dim>::limb_disorder(const Alignment<Dim>& start, const std::function<Vec<Dim>(const Vec<Dim>&)>& image,
+                                  const Similarity<Dim>& placement) const {
+  if constexpr (Dim == 3) {
+    const ShapePair<3>& tried = tried_shapes();
+    if (start.is_of_part || tried.one_is_part()) return 0;
+    if (!limbs_) {
+      std::array<LimbEnds, 2> limbs;
+      for_both([&](int s) {
+        limbs[static_cast<std::size_t>(s)] =
+            limb_ends((s == 0 ? tried.reference : tried.template_shape).surface, options_.align.search);
+      });
+      limbs_ = std::make_shared<const std::array<LimbEnds, 2>>(std::move(limbs));
+    }
+    const auto& [reference, template_shape] = *limbs_;
+    std::vector<Vec<3>> images(reference.vertices.size()), places;
+    parallel_for(images.size(), [&](std::size_t i) { images[i] = image(reference.vertices[i]); });
+    for (const Vec<3>& x : template_shape.vertices) places.push_back(placement(x));
+    return shellmatch::limb_disorder(reference, images, template_shape, places);
+  } else {
+    return 0;
   }
 }
 
@@ -206,6 +231,9 @@ Trial Trials<Dim>::try_start(const Alignment<Dim>& start) const {
             start.bend ? transformed(tried.reference.surface, start.pose, placement) : d1.surface();
         result.spin_difference = spin_difference<Dim>(undeformed, deform(d1.surface()), d2.surface(), observed,
                                                       start.is_of_part || tried.one_is_part());
+        const MapFrame<Dim> frame{placement, start.pose, false, Space::unsaid, start.bend};
+        result.limb_disorder = limb_disorder(
+            start, [&](const Vec<Dim>& x) { return evaluate(end.grid, end.phi, frame.to_unit_domain(x)); }, placement);
         result.template_distance =
             two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), n_measured)
                 .figures.template_to_deformed.mean;

@@ -3,12 +3,15 @@
 /// Trials of starts: how much energy the coarsest levels of a cascade need from there, and how well they cover the
 /// template.
 
+#include "alignment/spectrum/limb_ends.h"
 #include "matching/alignment/alignment.h"
 #include "matching/alignment/kept_results.h"
 #include "matching/experiment/options.h"
 #include "matching/input/shape_pair.h"
 #include "matching/progress/observer.h"
 
+#include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -23,6 +26,13 @@ struct Trial {
   double template_distance =
       std::numeric_limits<double>::infinity();  ///< mean from the template to phi(M1), diagonals of the template
   std::optional<double> spin_difference = {};   ///< matching/result/spin_difference.h
+  double limb_disorder = 0;                     ///< alignment/spectrum/limb_ends.h; 0 for curves and parts
+
+  /// How little alike corresponding places look, as their surroundings and as ends of limbs.
+  std::optional<double> unlikeness() const {
+    if (!spin_difference) return std::nullopt;
+    return *spin_difference * tip_factor(limb_disorder);
+  }
 };
 
 /// Of a trial of one of both directions. Distance and energy are infinite as above.
@@ -81,12 +91,16 @@ class Trials {
  private:
   Trial try_start(const Alignment<Dim>& start) const;
   DirectionTrial try_direction(const Alignment<Dim>& start, Carried carried) const;
+  // \param image of a point of the reference, in the unit domain
+  double limb_disorder(const Alignment<Dim>& start, const std::function<Vec<Dim>(const Vec<Dim>&)>& image,
+                       const Similarity<Dim>& placement) const;
   template <class Measure>
   void run(const Alignment<Dim>& start, const ExperimentOptions& options, const Measure& measure) const;
 
   const ShapePair<Dim>* shapes_;
   mutable std::shared_ptr<const ShapePair<Dim>> tried_;  ///< made when first asked for
   std::vector<Landmark<Dim>> landmarks_;
+  mutable std::shared_ptr<const std::array<LimbEnds, 2>> limbs_;  ///< of the tried shapes; made when first asked for
   const ExperimentOptions& options_;
   Observer& observer_;
   TrialFindings* findings_;

@@ -67,7 +67,7 @@ SHELLMATCH_JSON_2D_3D(Start, (alignment.pose, pose), (alignment.pairs, pairs), (
                       (is_identity, identity), (is_mirrored, mirrored))
 SHELLMATCH_JSON_2D_3D(StartSearch, starts, margin, (searched_share, share), (n_landmarks, landmarks),
                       landmarks_are_spread, notes, (is_of_part, part), (is_ambiguous, ambiguous))
-SHELLMATCH_JSON(Trial, energy, with_pairs, template_distance, spin_difference)
+SHELLMATCH_JSON(Trial, energy, with_pairs, template_distance, spin_difference, limb_disorder)
 SHELLMATCH_JSON(DirectionTrial, distance, energy, missed)
 SHELLMATCH_JSON_IF((requires(S & s) { s.results, s.seconds; }), results, seconds)
 SHELLMATCH_JSON_2D_3D(AlignmentFindings, by_pairs, by_poses, fits_mirrored, (trials.starts, starts),
