@@ -67,9 +67,11 @@ class TipSearch {
     if (pairs_.size() < 3) return;
     const auto m = static_cast<double>(pairs_.size());
     const double mean = stretch / (m * (m - 1) / 2);
-    const double cost =
-        mean + 1 - prominence / all_prominences_ + std::min(1.0, mean / little) * all_broken * n_broken() / m;
-    if (best_.size() == n_ && cost >= best_.front().cost) return;
+    double cost = mean + 1 - prominence / all_prominences_;
+    const auto is_too_dear = [&] { return best_.size() == n_ && cost >= best_.front().cost; };
+    if (is_too_dear()) return;
+    cost += std::min(1.0, mean / little) * all_broken * n_broken() / m;
+    if (is_too_dear()) return;
     best_.push_back({pairs_, cost});
     std::push_heap(best_.begin(), best_.end(), is_cheaper);
     if (best_.size() <= n_) return;

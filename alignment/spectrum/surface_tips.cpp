@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -168,7 +169,9 @@ void add_disorder(const std::vector<SurfaceTip>& tips, const std::vector<Index>&
 
 double tip_disorder(const std::vector<SurfaceTip>& tips_1, const std::vector<Index>& images_1,
                     const std::vector<SurfaceTip>& tips_2, const std::vector<Index>& images_2) {
-  if (tips_1.empty() || tips_2.empty()) return 0;
+  // A round shape has one tip, wherever its mesh says; two tell no limbs.
+  constexpr std::size_t n_telling = 3;
+  if (tips_1.size() < n_telling || tips_2.size() < n_telling) return 0;
   double sum = 0, weights = 0;
   add_disorder(tips_1, images_1, tips_2, sum, weights);
   add_disorder(tips_2, images_2, tips_1, sum, weights);

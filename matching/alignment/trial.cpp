@@ -185,6 +185,9 @@ double Trials<Dim>::limb_disorder(const Alignment<Dim>& start, const std::functi
       limbs_ = std::make_shared<const std::array<LimbEnds, 2>>(std::move(limbs));
     }
     const auto& [reference, template_shape] = *limbs_;
+    // The limbs of one component of several say nothing of the others.
+    constexpr double least_share = 0.9;
+    if (std::min(reference.share, template_shape.share) < least_share) return 0;
     std::vector<Vec<3>> images(reference.vertices.size()), places;
     parallel_for(images.size(), [&](std::size_t i) { images[i] = image(reference.vertices[i]); });
     for (const Vec<3>& x : template_shape.vertices) places.push_back(placement(x));
