@@ -19,8 +19,7 @@ struct AlignmentOptions {
   double identity_preference = 1.1;
   bool mirror = false;
 
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("pairs", self.pairs,
           {.unit = "pairs",
            .min = 10,

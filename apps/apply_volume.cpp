@@ -30,8 +30,7 @@ constexpr double least_determinant = 1e-6;  // whose logarithm is written where 
 Existing existing(const ApplyCommand& command) { return command.force ? Existing::is_replaced : Existing::is_kept; }
 
 // Calls body(voxel, its centre in RAS) for all voxels.
-template <class Body>
-void for_each_voxel(const VoxelGrid& grid, Body&& body) {
+void for_each_voxel(const VoxelGrid& grid, auto&& body) {
   const std::size_t n_lines = static_cast<std::size_t>(grid.size[1]) * grid.size[2];
   parallel_for(
       n_lines,

@@ -84,6 +84,14 @@ PointSet<Dim> named_vertices(const OriginalShape<Dim>& shape) {
   return set;
 }
 
+// Names that are more than the numbers from 1.
+template <int Dim>
+bool has_names(const PointSet<Dim>& set) {
+  for (std::size_t i = 0; i < set.names.size(); ++i)
+    if (set.names[i] != fmt::format("{}", i + 1)) return true;
+  return false;
+}
+
 // Writes them in the format of the name's ending; a line says what that does not hold. Points that are not known are
 // left out of formats of shapes.
 template <int Dim>
@@ -98,7 +106,7 @@ void write_points(const ApplyCommand& command, PointSet<Dim> set, Space space) {
       say_line(fmt::format("{}: {} without position left out", path, counted(n_unknown, "point", "points")));
     const OriginalShape<Dim> shape = table_of(set, space);
     if constexpr (Dim == 3)
-      if (!left_out(path, shape).empty())
+      if (has_names(set) && !left_out(path, shape).empty())
         say_line(fmt::format("{}: without the names of points, which this format does not hold", path));
     return write_output_file(path, shape, command.force);
   }
@@ -107,7 +115,7 @@ void write_points(const ApplyCommand& command, PointSet<Dim> set, Space space) {
     say_line(fmt::format("{}: written as {}, in which 3D Slicer takes shapes that name no frame to be", path,
                          space_name(space)));
   }
-  if (!is_of_slicer(format))
+  if (!is_of_slicer(format) && has_names(set))
     say_line(fmt::format("{}: without the names of points, which this format does not hold", path));
   write_report_file(path, point_sets_text<Dim>(format, {std::move(set)}, space), command.force);
 }
@@ -120,7 +128,7 @@ OriginalShape<3> read(const std::string& path, std::vector<std::string>& notes, 
                       std::integral_constant<int, 3>) {
   if (const auto volume = parse_volume_name(path)) {
     Shape<3> shape = volume_shape(*volume, path, space);
-    notes = std::move(shape.notes);
+    for (const std::string& note : shape.notes) notes.push_back(path + ": " + note);
     return std::move(shape.original);
   }
   return read_points_or_mesh_3d(path, &notes);

@@ -38,6 +38,7 @@ template <int Dim>
 void compare(const Shape<Dim>& shape, const ExperimentOptions& options, const CurvatureCommand& command,
              const MeshFit& fit) {
   const bool quiet = command.settings.verbosity == Verbosity::quiet;
+  check_inputs_outlive(command.settings.output, {{shape.source}});
   OutputFolder folder(command.settings.output, command.settings.force);
   const double scale =
       options.input.placement == PlacementKind::fit ? fit_placement(shape, shape, options.input.margin).scale : 1;

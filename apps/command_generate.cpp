@@ -6,7 +6,10 @@
 #include "apps/terminal/words.h"
 #include "base/error.h"
 #include "geometry/generate/generate_shape.h"
+#include "geometry/io/write_shape.h"
 #include "matching/experiment/generated_source.h"
+
+#include <fmt/ranges.h>
 
 #include <iostream>
 
@@ -70,7 +73,13 @@ void execute(const GenerateCommand& command) {
   check_output_file(command.output, info.dimension, command.force);
   const double edge_length = command.edge_length.empty() ? 0 : number(command.edge_length, "--edge-length");
   const auto shape = generate_shape(name, variant, edge_length, parameters_of(command));
-  std::visit([&](const auto& s) { write_output_file(command.output, s, command.force); }, shape);
+  const auto write = [&]<int Dim>(const OriginalShape<Dim>& s) {
+    if constexpr (Dim == 3)
+      if (const std::vector<std::string> lost = left_out(command.output, s); !lost.empty())
+        say_line(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
+    write_output_file(command.output, s, command.force);
+  };
+  std::visit(write, shape);
 }
 
 }  // namespace shellmatch

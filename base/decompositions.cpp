@@ -141,7 +141,6 @@ double largest_eigenvalue(int n, const double* matrix) {
   return largest;
 }
 
-template Eigenpairs<2> eigenpairs<2>(const Mat<2>&);
-template Eigenpairs<3> eigenpairs<3>(const Mat<3>&);
+SHELLMATCH_2D_3D(eigenpairs);
 
 }  // namespace shellmatch

@@ -6,8 +6,7 @@
 ///     struct SmoothingOptions {
 ///       int n_sweeps = 3;
 ///       double margin = 0.1;
-///       template <class Self, class Visitor>
-///       static void describe(Self& self, Visitor& visit) {
+///       static void describe(auto& self, auto& visit) {
 ///         visit("n_sweeps", self.n_sweeps, {.unit = "sweeps", .min = 1, .max = 15,
 ///                                           .meaning = "sweeps over all vertices"});
 ///         visit("margin", self.margin, {.unit = "side of the domain", .min = 0, .max = 0.4, .meaning = "..."});
@@ -16,7 +15,7 @@
 ///
 /// A member that `describe` leaves out is a constant of the method: programs and tests may vary it, files may not.
 ///
-/// `Self` is const for visitors that print and not const for visitors that assign. A visitor is a template
+/// `self` is const for visitors that print and not const for visitors that assign. A visitor is a template
 /// over the member's type: bool, int, double, std::string, an enum with EnumNames or a Choice (below),
 /// std::vector of the first five, or another option struct, which becomes a YAML section. YAML, `shellmatch config`,
 /// error messages and docs/options.md are generated from this description.

@@ -27,16 +27,14 @@ inline std::size_t n_chunks(std::size_t n, std::size_t chunk_size) { return (n +
 void parallel_chunks(std::size_t n, std::size_t chunk_size, const std::function<void(const Chunk&)>& body);
 
 /// Calls body(i) for i in [0, n), in parallel. Calls for different i must not write to the same memory.
-template <class Body>
-void parallel_for(std::size_t n, Body&& body, std::size_t chunk_size = 1024) {
+void parallel_for(std::size_t n, auto&& body, std::size_t chunk_size = 1024) {
   parallel_chunks(n, chunk_size, [&](const Chunk& c) {
     for (std::size_t i = c.begin; i < c.end; ++i) body(i);
   });
 }
 
 /// Calls body(0) and body(1), in parallel where there are threads: for work on two shapes with serial parts.
-template <class Body>
-void for_both(Body&& body) {
+void for_both(auto&& body) {
   parallel_chunks(2, 1, [&](const Chunk& c) { body(static_cast<int>(c.index)); });
 }
 

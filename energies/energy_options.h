@@ -38,15 +38,13 @@ class TermOptions {
   const double* own_of(std::size_t place) const { return own_.data() + first_own(place); }
 
   /// Names every option of the terms to a visitor (base/options.h).
-  template <class Self, class Visitor>
-  static void describe_factors(Self& self, Visitor& visit) {
+  static void describe_factors(auto& self, auto& visit) {
     for (std::size_t t = 0; t < self.factors_.size(); ++t) {
       const Described option = factor_option(t);
       visit(option.name, self.factors_[t], option.info);
     }
   }
-  template <class Self, class Visitor>
-  static void describe_models(Self& self, Visitor& visit) {
+  static void describe_models(auto& self, auto& visit) {
     for (std::size_t t = 0; t < self.models_.size(); ++t)
       if (self.models_[t].names().size() > 1)
         visit(term_names()[t], self.models_[t], OptionInfo{.meaning = model_meaning(t)});
@@ -84,8 +82,7 @@ struct EnergyOptions {
   BoundaryCondition boundary = BoundaryCondition::neumann;
   int quadrature_order = 2;
   Evaluator evaluator = Evaluator::compiled;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("lambda", self.lambda, {.unit = "energy/volume", .min = 0, .meaning = "first Lame coefficient of W"});
     visit("mu", self.mu,
           {.unit = "energy/volume",

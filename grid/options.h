@@ -55,8 +55,7 @@ struct CoefficientOptions {
   FieldInterpolation interpolation = FieldInterpolation::smooth;
   double reach = 1.5;
   int levels_ahead = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("distance", self.distance,
           {.meaning = "signed distances at the nodes: exact, from the closest point of the surface, or fast_marching, "
                       "as the paper: exact next to the surface, and of first order from there"});

@@ -368,7 +368,6 @@ MatchResult<Dim> match_placed_shapes(MatchInputs<Dim> inputs, const ExperimentOp
   return Matching<Dim>(std::move(inputs), options, recorder, clock).run();
 }
 
-template MatchResult<2> match_placed_shapes<2>(MatchInputs<2>, const ExperimentOptions&, Recorder&, RunClock&);
-template MatchResult<3> match_placed_shapes<3>(MatchInputs<3>, const ExperimentOptions&, Recorder&, RunClock&);
+SHELLMATCH_2D_3D(match_placed_shapes);
 
 }  // namespace shellmatch

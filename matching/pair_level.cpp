@@ -111,8 +111,7 @@ LevelProblem<Dim> PairLevel<Dim>::problem(const SolverOptions& solver, const std
                            [this, solver](Metric metric) { return level_metric(*level_, solver, weights(), metric); });
 }
 
-template bool same_frame<2>(const MapFrame<2>&, const MapFrame<2>&);
-template bool same_frame<3>(const MapFrame<3>&, const MapFrame<3>&);
+SHELLMATCH_2D_3D(same_frame);
 template class PairLevel<2>;
 template class PairLevel<3>;
 

@@ -50,9 +50,8 @@ class PairLevel {
   /// identity on the coarsest. \throws Stopped where the observer ends it before
   std::vector<Vec<Dim>> coarser_result(Observer& observer) const;
 
-  /// A map of the same shapes, at the nodes of this grid. \pre it lies where this pair does (has_frame)
+  /// A map of the same shapes, at the nodes of this grid. \pre it lies where this pair does: same_frame()
   std::vector<Vec<Dim>> sampled(const Deformation<Dim>& map) const;
-  bool has_frame(const MapFrame<Dim>& frame) const { return same_frame(frame, prepared_.frame()); }
 
   LevelEnergy<Dim>& energy() { return *level_; }
   const LevelEnergy<Dim>& energy() const { return *level_; }

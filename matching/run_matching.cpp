@@ -103,13 +103,21 @@ class Run {
 
   void prepare() {
     PhaseClock phase(clock_.phases);
-    if (!options_.start.map.empty() && begin_with(read_deformation<Dim>(options_.start.map))) return;
+    if (!options_.start.map.empty() && begin_with(start_map())) return;
     if (align_mode(options_) != AlignMode::none || options_.align.direction == MatchDirection::automatic)
       phase.start("alignment");
     aligning_ = true;
     inputs_.prepared = prepare_pair(inputs_.shapes, inputs_.landmarks, options_, recorder_, findings_);
     aligning_ = false;
     checkpoints_.write(findings_, 1);
+  }
+
+  Deformation<Dim> start_map() const {
+    try {
+      return read_deformation<Dim>(options_.start.map);
+    } catch (const InputError& error) {
+      throw_input_error("start.map: {}", error.what());
+    }
   }
 
   // False where the shapes do not lie where those of the earlier map do.
@@ -211,6 +219,11 @@ class Run {
 AnyMatchResult run_matching(const ExperimentOptions& options, const std::string& output_folder,
                             const EarlierRuns& earlier, Observer& observer) {
   check_experiment(options);
+  std::vector<std::string> inputs = {options.input.reference,         options.input.template_file,
+                                     options.input.correspondence,    options.landmarks.file,
+                                     options.landmarks.template_file, options.start.map};
+  inputs.insert(inputs.end(), options.start.images.begin(), options.start.images.end());
+  check_inputs_outlive(output_folder, inputs);
   set_n_threads(options.threads);
   RunClock clock;
   PhaseClock phase(clock.phases);

@@ -117,6 +117,10 @@ void write_result_files(const MatchResult<Dim>& result, const ExperimentOptions&
   writing.next(2);
   if constexpr (Dim == 3) {
     write_ply(folder.path_of("deformed.ply"), result.deformed);
+    if (const std::vector<std::string> lost = left_out("deformed.ply", result.deformed); !lost.empty())
+      observer.note(fmt::format(
+          "deformed.ply: without {}, which this format does not hold; shellmatch apply to the reference keeps them",
+          fmt::join(lost, ", ")));
     write_ply(folder.path_of("template.ply"), result.template_shape);
     if (options.vertex_table) {
       write_points_csv(folder.path_of("deformed.csv"), result.deformed);
@@ -159,13 +163,8 @@ void write_result_folder(const MatchResult<Dim>& result, const ExperimentOptions
   place.commit();
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
-  template void write_result_folder<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, const std::string&, bool, \
-                                         Observer*);                                                                  \
-  template void write_result_page<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&);  \
-  template void write_result_files<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, OutputFolder&, Observer&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(write_result_folder);
+SHELLMATCH_2D_3D(write_result_page);
+SHELLMATCH_2D_3D(write_result_files);
 
 }  // namespace shellmatch

@@ -33,8 +33,7 @@ struct CeresOptions {
   double function_tolerance = 1e-6, gradient_tolerance = 1e-10, parameter_tolerance = 1e-8;
   bool common_stop_rules = true;
   int max_bfgs_size = 1000;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("line_search_type", self.line_search_type,
           {.meaning = "conditions on a step: armijo or (strong) wolfe; ceres_bfgs and ceres_lbfgs need wolfe"});
     visit("nonlinear_conjugate_gradient_type", self.nonlinear_conjugate_gradient_type,

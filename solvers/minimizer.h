@@ -21,8 +21,7 @@ struct StopOptions {
   double restrained_factor = 1;
   double gradient_norm = 1e-9;
   double max_seconds = 0;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("max_iterations", self.max_iterations, {.unit = "iterations", .min = 0, .meaning = "most accepted steps"});
     visit("relative_decrease", self.relative_decrease,
           {.min = 0,

@@ -57,8 +57,7 @@ struct FletcherReevesOptions {
   double least_cosine = 0.03;
   int max_trials = 40;
   int gradient_trials = 2;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("interpolation", self.interpolation,
           {.meaning = "how a step that was too long is shortened: by `contraction` (halving, the paper's), or to the "
                       "minimum of a parabola or a cubic, kept within 0.1 to 0.8 of it"});
@@ -94,8 +93,7 @@ struct LbfgsOptions {
   double first_step = 0.01;
   double least_cosine = 1e-8;
   int max_trials = 40;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("memory", self.memory,
           {.unit = "pairs of vectors",
            .min = 1,
@@ -113,8 +111,7 @@ struct NewtonOptions {
   int max_regularisations = 3, max_contractions = 500;
   double regularisation_growth = 8, regularisation_decay = 0.25;
   int max_trials = 30;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("max_forcing", self.max_forcing,
           {.min = 0,
            .max = 0.9,
@@ -134,8 +131,7 @@ struct SolverOptions {
   LbfgsOptions lbfgs;
   NewtonOptions newton;
   CeresOptions ceres;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit(
         "name", self.name,
         {.meaning =

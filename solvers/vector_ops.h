@@ -22,8 +22,7 @@ inline std::size_t chunk_length(std::size_t n) {
 }
 
 /// Calls body(begin, end) for chunks of [0, n), in parallel.
-template <class Body>
-void for_chunks(std::size_t n, const Body& body) {
+void for_chunks(std::size_t n, const auto& body) {
   const auto run = [&body](const Chunk& c) { body(c.begin, c.end); };
   parallel_chunks(n, chunk_length(n), std::ref(run));  // by reference: std::function then allocates nothing
 }

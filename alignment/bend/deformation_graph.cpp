@@ -1,5 +1,6 @@
 #include "alignment/bend/deformation_graph.h"
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -41,22 +42,6 @@ DeformationGraph::Influence influence_of(std::vector<Near>& near, double reach) 
   return result;
 }
 
-/// Sets of nodes that edges join.
-class Components {
- public:
-  explicit Components(std::size_t n) : parent_(n) {
-    for (std::size_t k = 0; k < n; ++k) parent_[k] = static_cast<Index>(k);
-  }
-  Index root(Index k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void join(Index a, Index b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<Index> parent_;
-};
-
 }  // namespace
 
 DeformationGraph::DeformationGraph(const Surface<3>& surface, std::size_t n_nodes) {
@@ -97,7 +82,7 @@ void DeformationGraph::add_edges(const Surface<3>& surface) {
         if (const double shared = influence.weights[i] * influence.weights[j];
             shared > 0 && influence.nodes[i] != influence.nodes[j])
           weights[{influence.nodes[i], influence.nodes[j]}] += shared;
-  Components components(centres_.size());
+  DisjointSets components(centres_.size());
   double mean = 0;
   for (const auto& [nodes, weight] : weights) {
     components.join(nodes.first, nodes.second);
@@ -107,11 +92,11 @@ void DeformationGraph::add_edges(const Surface<3>& surface) {
   std::vector<std::pair<double, std::pair<Index, Index>>> gaps;
   for (Index a = 0; a < static_cast<Index>(centres_.size()); ++a)
     for (Index b = 0; b < a; ++b)
-      if (components.root(a) != components.root(b)) gaps.push_back({(centres_[a] - centres_[b]).squaredNorm(), {a, b}});
+      if (components.find(a) != components.find(b)) gaps.push_back({(centres_[a] - centres_[b]).squaredNorm(), {a, b}});
   std::ranges::sort(gaps);
   for (const auto& [gap, nodes] : gaps) {
     const auto [a, b] = nodes;
-    if (components.root(a) == components.root(b)) continue;
+    if (components.find(a) == components.find(b)) continue;
     components.join(a, b);
     weights[{a, b}] = weights[{b, a}] = mean > 0 ? mean : 1;
   }

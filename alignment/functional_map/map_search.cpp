@@ -188,8 +188,7 @@ void refine_densely(const ShapePairSpectra& pair, double trust_in_landmarks, Map
 class SearchProgress {
  public:
   /// Calls body(i) for the candidates of one stage, at whose end `end` of the search are done.
-  template <class Body>
-  void stage(std::size_t end, std::size_t n, const Body& body) {
+  void stage(std::size_t end, std::size_t n, const auto& body) {
     std::atomic<std::size_t> n_done = 0;
     parallel_for(
         n,
@@ -238,7 +237,36 @@ bool is_sure(const std::vector<MapCandidate>& candidates) {
 /// What coarse scores leave, and what is refined, too, where they leave doubt.
 struct CoarseMaps {
   std::vector<MapCandidate> candidates, others;
+  double mirrored_gain;  ///< as in FoundMaps
 };
+
+double mean_spin_difference(const ShapePairSpectra& pair, const VertexMatches& matches) {
+  double sum = 0;
+  for (std::size_t i = 0; i < matches.from[0].size(); ++i)
+    sum += (pair.shapes[0]->spin.col(matches.from[0][i]) - pair.shapes[1]->spin.col(matches.to[0][i])).squaredNorm();
+  return sum / static_cast<double>(std::max<std::size_t>(1, matches.from[0].size()));
+}
+
+/// FoundMaps::mirrored_gain, by what tells maps apart but for their orientation. Orientations take time: those of the
+/// most alike maps are asked for until both have been seen.
+double mirrored_gain(const ShapePairSpectra& pair, const std::vector<MapCandidate>& candidates) {
+  constexpr double noise = 1e-3;  // of sampling
+  constexpr std::size_t n_asked = 12;
+  std::vector<std::pair<double, std::size_t>> by_spin;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    by_spin.emplace_back(mean_spin_difference(pair, candidates[i].matches), i);
+  std::ranges::sort(by_spin);
+  by_spin.resize(std::min(by_spin.size(), n_asked));
+  double best[2] = {0, 0}, last = 0;  // of maps that keep and that reverse orientation; 0: not seen
+  for (const auto& [spin, i] : by_spin) {
+    const MapScore score = score_samples(pair, candidates[i].matches, candidates[i].c);
+    last = noise + (score.functions + score.signature) * score.spin;
+    double& of_kind = best[score.orientation > 0.5];
+    if (of_kind == 0 || last < of_kind) of_kind = last;
+    if (best[0] > 0 && best[1] > 0) break;
+  }
+  return best[1] == 0 ? 0 : (best[0] > 0 ? best[0] : last) / best[1];
+}
 
 CoarseMaps coarse_maps(const ShapePairSpectra& pair, const AlignmentOptions& options, SearchProgress& progress) {
   if (pair.n_functions < n_scored)
@@ -264,6 +292,7 @@ CoarseMaps coarse_maps(const ShapePairSpectra& pair, const AlignmentOptions& opt
   });
   candidates = distinct(pair, std::move(candidates));
   const int n_smoothed = std::min(n_smooth, pair.n_functions);
+  const double gain = mirrored_gain(pair, candidates);
   progress.stage(50, candidates.size(), [&](std::size_t i) {
     MapCandidate& candidate = candidates[i];
     refine_rotated(
@@ -284,12 +313,13 @@ CoarseMaps coarse_maps(const ShapePairSpectra& pair, const AlignmentOptions& opt
     refine_coarsely(pair, last_steps, candidates[n_first + i]);
   });
   std::vector<MapCandidate> others = taken_from(candidates, choose_best(pair, candidates, options.refined));
-  return {std::move(candidates), std::move(others)};
+  return {std::move(candidates), std::move(others), gain};
 }
 
 /// All that are refined, ascending by their order.
 std::vector<MapCandidate> refined_maps(const ShapePairSpectra& pair, CoarseMaps coarse, SearchProgress& progress) {
-  auto& [candidates, others] = coarse;
+  auto& candidates = coarse.candidates;
+  auto& others = coarse.others;
   const auto refine_all = [&](std::size_t end, std::vector<MapCandidate>& all) {
     progress.stage(end, all.size(), [&](std::size_t i) {
       refine_densely(pair, 0, all[i]);
@@ -353,9 +383,11 @@ std::optional<MapCandidate> best_map_within(const ShapePairSpectra& pair, const 
   return refined_maps(pair, std::move(coarse), progress).front();
 }
 
-std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
+FoundMaps search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options) {
   SearchProgress progress;
-  std::vector<MapCandidate> candidates = refined_maps(pair, coarse_maps(pair, options, progress), progress);
+  CoarseMaps coarse = coarse_maps(pair, options, progress);
+  const double mirrored_gain = coarse.mirrored_gain;
+  std::vector<MapCandidate> candidates = refined_maps(pair, std::move(coarse), progress);
   // Scores, whose limits are known, are those of maps without landmarks. How exact landmarks are, the best map tells.
   // A second refinement begins with the exact map of the first, so that few functions and spin images turn small parts,
   // such as heads, that the first left turned; others than eligible maps only landmarks make first.
@@ -366,7 +398,7 @@ std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const Alignm
     if (by_landmarks) candidates[i].landmark_trust = trust;
     if (by_landmarks || candidates[i].order() <= most) refine_densely(pair, trust, candidates[i]);
   });
-  return distinct(pair, std::move(candidates));
+  return {distinct(pair, std::move(candidates)), mirrored_gain};
 }
 
 }  // namespace shellmatch

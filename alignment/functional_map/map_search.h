@@ -46,10 +46,18 @@ double margin_between(const ShapePairSpectra& pair, const MapCandidate& first, c
 /// Whether spectra leave open by which rotation the surfaces correspond: has_no_axes() of either.
 bool are_ambiguous(const SpectralShape& a, const SpectralShape& b);
 
-/// The best distinct maps, ascending by their order(). Landmarks suggest a start of their own, and once scores are
+struct FoundMaps {
+  std::vector<MapCandidate> maps;  ///< at least one, distinct, ascending by their order()
+  /// By which factor the best of the first maps that turn surface 1 inside out is better than the best of the others:
+  /// well above 1 where one surface is of the other side, as a left hand beside a right one; about 1 for surfaces with
+  /// two like sides.
+  double mirrored_gain = 0;
+};
+
+/// The best maps. Landmarks suggest a start of their own, and once scores are
 /// known, which are those of maps without them, eligible maps are refined again with landmarks among the pairs. Where
 /// spectra are_ambiguous(), only the surfaces as they lie and landmarks give starts.
-std::vector<MapCandidate> search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);
+FoundMaps search_maps(const ShapePairSpectra& pair, const AlignmentOptions& options);
 
 /// The best map without landmarks; none, in half the time, where coarse scores already tell that its order() is not
 /// below `most`.

@@ -21,12 +21,15 @@ constexpr double tie = 1.02;
 // Shapes that are symmetric themselves are as good mirrored, and are to stay as they are.
 constexpr double mirrored_penalty = 1.1;
 
-/// Candidates of one handedness, with pairs in the coordinates of the prepared surfaces.
+/// Candidates of one handedness, with pairs in the coordinates of the prepared surfaces. \param mirrored_gain of the
+/// maps, set
 std::vector<PairCandidate> candidates_of(const SpectralShape& reference, const SpectralShape& template_shape,
                                          const std::vector<std::pair<Index, Index>>& landmarks,
-                                         const AlignmentOptions& options, bool is_mirrored) {
+                                         const AlignmentOptions& options, bool is_mirrored, double& mirrored_gain) {
   const ShapePairSpectra pair = make_shape_pair(reference, template_shape, landmarks);
-  std::vector<MapCandidate> maps = search_maps(pair, options);
+  FoundMaps all = search_maps(pair, options);
+  mirrored_gain = all.mirrored_gain;
+  std::vector<MapCandidate>& maps = all.maps;
   std::ranges::stable_sort(maps, {}, [](const MapCandidate& m) { return (m.is_identity ? 1 / tie : 1) * m.order(); });
   std::vector<PairCandidate> candidates(maps.size());
   parallel_for(
@@ -128,10 +131,11 @@ AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& templat
   });
   const auto& shapes = result.spectra;
   const std::vector<std::pair<Index, Index>> known = vertex_pairs(landmarks, reference, template_surface, result);
-  result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false);
+  result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false, result.mirrored_gain);
   if (options.mirror) {
     const SpectralShape mirrored = mirrored_shape(*shapes[0]);
-    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true))
+    double of_mirrored = 0;
+    for (PairCandidate& candidate : candidates_of(mirrored, *shapes[1], known, options, true, of_mirrored))
       result.candidates.push_back(std::move(candidate));
   }
   const auto key = [&](const PairCandidate& c) {

@@ -38,6 +38,7 @@ struct AutomaticPairs {
       candidates;     ///< at least one; the chosen one first, ascending by order, the mirrored ones behind equals
   double margin = 0;  ///< the least of the others of the same handedness; infinite without, 1 where ambiguous
   bool is_ambiguous = false;                        ///< spectra are_ambiguous()
+  double mirrored_gain = 0;                         ///< FoundMaps::mirrored_gain
   std::shared_ptr<const SpectralShape> spectra[2];  ///< of the prepared surfaces
 
   const std::vector<CorrespondingPoints>& pairs() const { return candidates.front().pairs; }

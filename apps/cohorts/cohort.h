@@ -30,8 +30,7 @@ struct AtlasOptions {
   int max_level = 0;
   int rounds = 5;
   double tolerance = 0.25;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("kind", self.kind,
           {.meaning = "given: the shape `atlas.shape` is deformed onto every subject; mean: it is the start of an "
                       "iteration, in which the mean of all deformed atlases becomes the next atlas until it converges; "
@@ -85,8 +84,7 @@ struct StatisticsOptions {
   std::vector<std::string> groups;
   int permutations = 1000;
   int seed = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("procrustes", self.procrustes,
           {.meaning = "what is taken out of the differences of subjects: none; rigid: position and direction; "
                       "similarity: size, too"});
@@ -129,8 +127,7 @@ struct CohortOptions {
   StatisticsOptions statistics;
   RunLimits limits{.seconds = 0, .grace_seconds = 5, .memory_mb = 0};
   FreeSection set;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("version", self.version, {.min = 1, .meaning = "of the form of this file; 1"});
     visit("title", self.title, {.meaning = "heading of the report"});
     visit("table", self.table,

@@ -31,6 +31,9 @@ struct SubjectResult {
   bool in_model = false;  ///< whether it is a column of the statistics
 };
 
+/// Whether its matching ended at its limit of memory.
+inline bool lacks_memory(const SubjectResult& subject) { return subject.status == "out_of_memory"; }
+
 /// A round of the search for an unbiased atlas.
 struct AtlasRound {
   int round = 0;

@@ -18,6 +18,7 @@
 #include "matching/cascade/size_estimate.h"
 #include "matching/experiment/option_text.h"
 #include "matching/input/shape_source.h"
+#include "matching/progress/process_info.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -209,7 +210,9 @@ void execute(const CohortCommand& command) {
   if (outcome.end == CohortEnd::in_part) return;
   std::vector<std::string> notes;
   std::string without_result;
+  bool needs_memory = false;
   const auto write = [&]<int Dim>(FinishedCohort<Dim>& finished) {
+    needs_memory = memory_limit_bytes() > 0 && std::ranges::any_of(finished.stage.subjects, lacks_memory);
     WrittenCohort written = write_cohort(cohort, std::move(finished), folder.path(), notes);
     for (const std::string& line : written.figures) progress.say(line);
     without_result = std::move(written.without_result);
@@ -218,6 +221,7 @@ void execute(const CohortCommand& command) {
   if (auto* spatial = std::get_if<FinishedCohort<3>>(&outcome.result)) write(*spatial);
   for (const std::string& note : notes) progress.say(note);
   progress.say(fmt::format("written: {}/report.html", output));
+  if (needs_memory) throw MemoryError(without_result + "; all are in " + output + "/subjects.csv");
   if (!without_result.empty())
     throw CheckFailed(fmt::format("{}; all are in {}/subjects.csv, and --retry repeats them", without_result, output));
 }

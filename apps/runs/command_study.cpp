@@ -10,6 +10,7 @@
 #include "base/stop.h"
 #include "matching/experiment/option_text.h"
 #include "matching/experiment/yaml_document.h"
+#include "matching/progress/process_info.h"
 
 #include <filesystem>
 #include <iostream>
@@ -117,6 +118,13 @@ void execute(const StudyCommand& command) {
     collect_study(study, all, folder);
     progress.say(fmt::format("written: {}/summary.md", output));
   }
+  if (memory_limit_bytes() == 0) return;
+  const auto lacks_memory = [&](const StudyRun& run) {
+    return folder.result_of(run).status == RunStatus::out_of_memory;
+  };
+  if (const auto n = std::ranges::count_if(runs, lacks_memory); n > 0)
+    throw MemoryError(fmt::format("{} of {} runs ended at {:g} MB, their share of it; all are in {}", n, runs.size(),
+                                  study.options.limits.memory_mb, output));
 }
 
 }  // namespace shellmatch

@@ -63,12 +63,6 @@ std::vector<std::string> add_residuals(const MatchingEnergy<Dim>& energy, const 
 
 template class EnergyFunction<2>;
 template class EnergyFunction<3>;
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                      \
-  template std::vector<std::string> add_residuals<Dim>(const MatchingEnergy<Dim>&, const Unknowns<Dim>&, \
-                                                       const TermValues&, std::span<const Vec<Dim>>,     \
-                                                       std::span<double>, ceres::Problem&);
-SHELLMATCH_INSTANTIATE(2)
-SHELLMATCH_INSTANTIATE(3)
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(add_residuals);
 
 }  // namespace shellmatch

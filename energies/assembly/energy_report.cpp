@@ -44,9 +44,6 @@ EnergyReport report_energy(const Unknowns<Dim>& unknowns, const GeometryPair<Dim
   return result;
 }
 
-template EnergyReport report_energy<2>(const Unknowns<2>&, const GeometryPair<2>&, const EnergyOptions&, double, int,
-                                       std::span<const Vec<2>>, const TermValues&, const BandMask<2>*);
-template EnergyReport report_energy<3>(const Unknowns<3>&, const GeometryPair<3>&, const EnergyOptions&, double, int,
-                                       std::span<const Vec<3>>, const TermValues&, const BandMask<3>*);
+SHELLMATCH_2D_3D(report_energy);
 
 }  // namespace shellmatch

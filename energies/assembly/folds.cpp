@@ -64,9 +64,7 @@ FoldReport find_folds(std::span<const Element<Dim>> elements, std::span<const Ve
   return report;
 }
 
-template std::vector<DeterminantBounds> determinant_bounds<2>(std::span<const Element<2>>, std::span<const Vec<2>>);
-template std::vector<DeterminantBounds> determinant_bounds<3>(std::span<const Element<3>>, std::span<const Vec<3>>);
-template FoldReport find_folds<2>(std::span<const Element<2>>, std::span<const Vec<2>>);
-template FoldReport find_folds<3>(std::span<const Element<3>>, std::span<const Vec<3>>);
+SHELLMATCH_2D_3D(determinant_bounds);
+SHELLMATCH_2D_3D(find_folds);
 
 }  // namespace shellmatch

@@ -111,11 +111,7 @@ Eigen::SparseMatrix<double> metric_matrix(const Octree<Dim>& grid, const Unknown
   return matrix;
 }
 
-template MetricWeights stiffness_of_energy<2>(const EnergyTerms<2>&, const TermValues&);
-template MetricWeights stiffness_of_energy<3>(const EnergyTerms<3>&, const TermValues&);
-template Eigen::SparseMatrix<double> metric_matrix<2>(const Octree<2>&, const Unknowns<2>&, const MatchingEnergy<2>&,
-                                                      const MetricWeights&);
-template Eigen::SparseMatrix<double> metric_matrix<3>(const Octree<3>&, const Unknowns<3>&, const MatchingEnergy<3>&,
-                                                      const MetricWeights&);
+SHELLMATCH_2D_3D(stiffness_of_energy);
+SHELLMATCH_2D_3D(metric_matrix);
 
 }  // namespace shellmatch

@@ -67,12 +67,7 @@ std::string not_finite_text(const NotFinite<Dim>& found) {
                      found.point ? fmt::format(", at the point {}", text(*found.point)) : "");
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                             \
-  template std::optional<NotFinite<Dim>> find_not_finite<Dim>(const MatchingEnergy<Dim>&, const Unknowns<Dim>&, \
-                                                              std::span<const Vec<Dim>>, const TermValues&);    \
-  template std::string not_finite_text<Dim>(const NotFinite<Dim>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(find_not_finite);
+SHELLMATCH_2D_3D(not_finite_text);
 
 }  // namespace shellmatch

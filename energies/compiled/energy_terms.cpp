@@ -151,7 +151,6 @@ const std::vector<CompiledTerm<Dim>>& all_compiled_terms() {
 
 template class EnergyTerms<2>;
 template class EnergyTerms<3>;
-template const std::vector<CompiledTerm<2>>& all_compiled_terms<2>();
-template const std::vector<CompiledTerm<3>>& all_compiled_terms<3>();
+SHELLMATCH_2D_3D(all_compiled_terms);
 
 }  // namespace shellmatch

@@ -66,8 +66,7 @@ class CellBlocks {
   /// Calls body(cells) for all blocks, elements [cells.begin, cells.end) of block cells.index, in parallel where
   /// blocks have no unknown in common. Bodies that write to the local unknowns of their block alone give the same
   /// bits whatever the number of threads.
-  template <class Body>
-  void for_each(Body&& body) const {
+  void for_each(auto&& body) const {
     schedule_.run([&](std::size_t block) { body(cells_of(block)); });
   }
 

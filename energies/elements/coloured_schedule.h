@@ -73,8 +73,7 @@ class ColouredSchedule {
 
   /// Calls body(task) for all tasks, in parallel where they access no datum in common. Exceptions propagate; no task
   /// starts after the first one.
-  template <class Body>
-  void run(Body&& body) const {
+  void run(auto&& body) const {
     const std::size_t n = tasks_.size();
     std::vector<std::atomic<int>> is_done(n);
     std::atomic<std::size_t> next = 0;

@@ -71,9 +71,7 @@ Pack determinant_bound(const ElementBatch<Dim>& batch) {
   return bound;
 }
 
-template Pack determinant_bound(const ElementBatch<2>&);
-template Pack determinant_bound(const ElementBatch<3>&);
-template Pack least_determinant(const ElementBatch<2>&);
-template Pack least_determinant(const ElementBatch<3>&);
+SHELLMATCH_2D_3D(determinant_bound);
+SHELLMATCH_2D_3D(least_determinant);
 
 }  // namespace shellmatch

@@ -73,14 +73,12 @@ class SumFactorisedEvaluator {
 
  private:
   /// Calls body(n_). Two points per axis, the default rule, are a compile-time constant, so that loops are unrolled.
-  template <class Body>
-  [[gnu::always_inline]] void with_count(Body&& body) const {
+  [[gnu::always_inline]] void with_count(auto&& body) const {
     if (n_ == 2) body(std::integral_constant<int, 2>{});
     else body(n_);
   }
   /// Calls body(axis) for all axes, each a compile-time constant.
-  template <class Body>
-  [[gnu::always_inline]] static void for_axes(Body&& body) {
+  [[gnu::always_inline]] static void for_axes(auto&& body) {
     [&]<int... Axis>(std::integer_sequence<int, Axis...>) { (body(std::integral_constant<int, Axis>{}), ...); }
     (std::make_integer_sequence<int, Dim>{});
   }

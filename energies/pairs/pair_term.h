@@ -57,9 +57,8 @@ class PairTerm {
   /// Calls body(pair, k) for each pair on these elements, except those within a positive tolerance. k = 2 w rho' B^T B
   /// is its Gauss-Newton block by phi(p), with the nearest point within the tolerance held fixed; w is `weight` times
   /// the pair's own.
-  template <class Body>
   void for_each_model(std::size_t begin, std::size_t end, std::span<const Element<Dim>> elements,
-                      std::span<const Vec<Dim>> phi, double weight, Body&& body) const {
+                      std::span<const Vec<Dim>> phi, double weight, auto&& body) const {
     for (const LocatedPair<Dim>& pair : pairs_of(begin, end)) {
       const Vec<Dim> r = residual(pair, elements[pair.element], phi);
       if (tolerance_ > 0 && r.isZero(0)) continue;

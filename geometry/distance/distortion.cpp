@@ -2,8 +2,6 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "geometry/surface/self_intersections.h"
-#include "geometry/distance/surface_distance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -114,41 +112,9 @@ std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance
   return away;
 }
 
-template <int Dim>
-std::size_t count_facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
-  return static_cast<std::size_t>(std::ranges::count(facing_away(deformed, template_distance), 1));
-}
-
-Quantiles quantiles(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  return {quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
-}
-
-template <int Dim>
-Distortion<Dim> distortion(const Surface<Dim>& reference, const Surface<Dim>& deformed,
-                           const SignedDistance<Dim>& template_distance) {
-  const std::vector<double> ratios = facet_measure_ratios(reference, deformed);
-  Distortion<Dim> result;
-  result.measure_ratio = quantiles(ratios);
-  result.angle_distortion = quantiles(angle_distortions(reference, deformed));
-  result.n_collapsed = static_cast<std::size_t>(std::ranges::count_if(ratios, [](double r) { return r < 0.01; }));
-  result.n_facing_away = count_facing_away(deformed, template_distance);
-  result.n_self_intersecting = self_intersecting_facets(deformed).size();
-  result.n_self_intersecting_reference = self_intersecting_facets(reference).size();
-  return result;
-}
-
-template std::vector<double> facet_measure_ratios(const Surface<2>&, const Surface<2>&);
-template std::vector<double> facet_measure_ratios(const Surface<3>&, const Surface<3>&);
-template std::vector<double> vertex_measure_ratios(const Surface<2>&, const Surface<2>&);
-template std::vector<double> vertex_measure_ratios(const Surface<3>&, const Surface<3>&);
-template std::vector<double> angle_distortions(const Surface<2>&, const Surface<2>&);
-template std::vector<double> angle_distortions(const Surface<3>&, const Surface<3>&);
-template std::vector<char> facing_away(const Surface<2>&, const SignedDistance<2>&);
-template std::vector<char> facing_away(const Surface<3>&, const SignedDistance<3>&);
-template std::size_t count_facing_away(const Surface<2>&, const SignedDistance<2>&);
-template std::size_t count_facing_away(const Surface<3>&, const SignedDistance<3>&);
-template Distortion<2> distortion(const Surface<2>&, const Surface<2>&, const SignedDistance<2>&);
-template Distortion<3> distortion(const Surface<3>&, const Surface<3>&, const SignedDistance<3>&);
+SHELLMATCH_2D_3D(facet_measure_ratios);
+SHELLMATCH_2D_3D(vertex_measure_ratios);
+SHELLMATCH_2D_3D(angle_distortions);
+SHELLMATCH_2D_3D(facing_away);
 
 }  // namespace shellmatch

@@ -5,7 +5,6 @@
 
 #include "geometry/distance/signed_distance.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace shellmatch {
@@ -35,30 +34,5 @@ std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surfa
 /// centre: one entry for each facet, 0 or 1.
 template <int Dim>
 std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
-
-/// How many facets do.
-template <int Dim>
-std::size_t count_facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance);
-
-/// Quantiles of all values that are not NaN.
-struct Quantiles {
-  double p5, median, p95;
-};
-Quantiles quantiles(std::vector<double> values);
-
-template <int Dim>
-struct Distortion {
-  Quantiles measure_ratio;                        ///< of facets
-  Quantiles angle_distortion;                     ///< of facets
-  std::size_t n_collapsed = 0;                    ///< facets with a measure ratio below 0.01
-  std::size_t n_facing_away = 0;                  ///< count_facing_away()
-  std::size_t n_self_intersecting = 0;            ///< deformed facets in self_intersecting_facets()
-  std::size_t n_self_intersecting_reference = 0;  ///< the same for the reference
-};
-
-/// All of the above. \pre `deformed` has the facets of `reference`.
-template <int Dim>
-Distortion<Dim> distortion(const Surface<Dim>& reference, const Surface<Dim>& deformed,
-                           const SignedDistance<Dim>& template_distance);
 
 }  // namespace shellmatch

@@ -62,7 +62,6 @@ std::vector<Index> nearest_facets(const FacetTree<Dim>& tree, const std::vector<
   return facets;
 }
 
-template std::vector<Index> nearest_facets(const FacetTree<2>&, const std::vector<Vec<2>>&);
-template std::vector<Index> nearest_facets(const FacetTree<3>&, const std::vector<Vec<3>>&);
+SHELLMATCH_2D_3D(nearest_facets);
 
 }  // namespace shellmatch

@@ -177,9 +177,6 @@ template std::vector<double> distances_to(const std::vector<Vec<2>>&, const Sign
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const SignedDistance<3>&);
 template std::vector<double> distances_to(const std::vector<Vec<2>>&, const Surface<2>&);
 template std::vector<double> distances_to(const std::vector<Vec<3>>&, const Surface<3>&);
-template MatchQuality<2> match_quality(const Surface<2>&, const SignedDistance<2>&, const MeasuredParts<2>&, double,
-                                       std::size_t);
-template MatchQuality<3> match_quality(const Surface<3>&, const SignedDistance<3>&, const MeasuredParts<3>&, double,
-                                       std::size_t);
+SHELLMATCH_2D_3D(match_quality);
 
 }  // namespace shellmatch

@@ -32,7 +32,6 @@ double winding_number(const Surface<Dim>& surface, const Vec<Dim>& x) {
   return sum / (2 * (Dim - 1) * std::numbers::pi);
 }
 
-template double winding_number(const Surface<2>&, const Vec<2>&);
-template double winding_number(const Surface<3>&, const Vec<3>&);
+SHELLMATCH_2D_3D(winding_number);
 
 }  // namespace shellmatch

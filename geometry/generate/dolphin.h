@@ -12,8 +12,7 @@ struct DolphinOptions {
   double sway = 0;
   double turn = 0;
   double fatness = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("bend", self.bend,
           {.unit = "degrees",
            .min = -70,

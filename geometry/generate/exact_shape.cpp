@@ -82,7 +82,6 @@ std::optional<AnyExactShape> exact_shape(std::string_view name, std::string_view
   return std::nullopt;
 }
 
-template ExactShape<2> exact_ellipsoid<2>(const Vec<2>&, const Vec<2>&, const Mat<2>&);
-template ExactShape<3> exact_ellipsoid<3>(const Vec<3>&, const Vec<3>&, const Mat<3>&);
+SHELLMATCH_2D_3D(exact_ellipsoid);
 
 }  // namespace shellmatch

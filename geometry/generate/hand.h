@@ -16,8 +16,7 @@ namespace shellmatch {
 struct HandOptions {
   double spread = 1;
   double bend_thumb = 0, bend_index = 0, bend_middle = 0, bend_ring = 0, bend_little = 0;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("spread", self.spread, {.min = 0.85, .max = 1.6, .meaning = "factor on the angles between the four fingers"});
     const auto bend = [&](const char* name, auto& value) {
       visit(

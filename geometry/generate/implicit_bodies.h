@@ -13,8 +13,7 @@ struct BoxOptions {
   double compression = 1;
   double turn = 0;
   int turn_axis = 3;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("side_x", self.side_x, {.unit = "side of the domain", .min = 0.05, .max = 0.8, .meaning = "side along x"});
     visit("side_y", self.side_y, {.unit = "side of the domain", .min = 0.05, .max = 0.8, .meaning = "side along y"});
     visit("side_z", self.side_z, {.unit = "side of the domain", .min = 0.05, .max = 0.8, .meaning = "side along z"});
@@ -38,8 +37,7 @@ Body<3> box_body(const BoxOptions& options, double edge_length);
 struct RingOptions {
   double arc = 280;
   double radius = 0.09;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("arc", self.arc,
           {.unit = "degrees",
            .min = 180,
@@ -61,8 +59,7 @@ struct BeetOptions {
   double groove_turn = 60;
   double bumpiness = 0.006;
   int individual = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("width", self.width, {.unit = "side of the domain", .min = 0.1, .max = 0.28, .meaning = "greatest radius"});
     visit(
         "bend", self.bend,
@@ -94,8 +91,7 @@ struct FaceOptions {
   double jaw = 1;
   double width = 1;
   double ears = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("smile", self.smile,
           {.min = 0, .max = 1, .meaning = "lift and width of the corners of the mouth, and cheeks"});
     visit("nose", self.nose, {.min = 0.6, .max = 1.5, .meaning = "factor on the size of the nose"});

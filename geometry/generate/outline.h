@@ -9,8 +9,7 @@ namespace shellmatch {
 
 struct CircleOptions {
   double radius = 0.3;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("radius", self.radius, {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "radius"});
   }
 };
@@ -18,8 +17,7 @@ struct CircleOptions {
 struct EllipseOptions {
   double semi_x = 0.37, semi_y = 0.2;
   double turn = 0;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("semi_x", self.semi_x,
           {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "semi-axis along x"});
     visit("semi_y", self.semi_y,
@@ -31,8 +29,7 @@ struct EllipseOptions {
 struct StarOptions {
   double radius = 0.28, depth = 0.28, turn = 0;
   int points = 5;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("radius", self.radius, {.unit = "side of the domain", .min = 0.05, .max = 0.35, .meaning = "mean radius"});
     visit("depth", self.depth, {.min = 0, .max = 0.6, .meaning = "deviation from the mean radius, as a share of it"});
     visit("points", self.points, {.min = 2, .max = 12, .meaning = "number of rounded points"});
@@ -43,8 +40,7 @@ struct StarOptions {
 struct BlobOptions {
   double radius = 0.27, roughness = 0.1;
   int individual = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("radius", self.radius, {.unit = "side of the domain", .min = 0.05, .max = 0.32, .meaning = "mean radius"});
     visit("roughness", self.roughness,
           {.min = 0, .max = 0.15, .meaning = "root of the mean square of the relative deviation from the radius"});
@@ -60,8 +56,7 @@ struct LeafOptions {
   double asymmetry = 0.04;
   double slenderness = 1;
   double bend = 0;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("lobes", self.lobes, {.min = 3, .max = 9, .meaning = "number of lobes, odd for one in the middle"});
     visit("depth", self.depth,
           {.min = 0, .max = 0.7, .meaning = "depth of the bays between lobes, as a share of the leaf"});

@@ -9,16 +9,14 @@ namespace shellmatch {
 
 struct SphereOptions {
   double radius = 0.25;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("radius", self.radius, {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "radius"});
   }
 };
 
 struct EllipsoidOptions {
   double semi_x = 0.36, semi_y = 0.22, semi_z = 0.27;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("semi_x", self.semi_x,
           {.unit = "side of the domain", .min = 0.02, .max = 0.4, .meaning = "semi-axis along x"});
     visit("semi_y", self.semi_y,
@@ -30,8 +28,7 @@ struct EllipsoidOptions {
 
 struct TorusOptions {
   double major_radius = 0.26, minor_radius = 0.1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("major_radius", self.major_radius,
           {.unit = "side of the domain",
            .min = 0.05,

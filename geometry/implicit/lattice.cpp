@@ -172,8 +172,7 @@ class Lattice::Body {
                            static_cast<int>(b) / (n_blocks * n_blocks) * block});
   }
 
-  template <class Body>
-  void for_each_cube(Body&& body) {
+  void for_each_cube(auto&& body) {
     for (const auto& first : blocks_) {
       stop_if_wanted();
       for (int k = first[2]; k < std::min(first[2] + block, n_ - 1); ++k)
@@ -184,8 +183,7 @@ class Lattice::Body {
 
   // Each of the three upper faces of a cube lies between two centres, which form a tetrahedron with every
   // edge of the face.
-  template <class Body>
-  void for_each_tetrahedron(Body&& body) {
+  void for_each_tetrahedron(auto&& body) {
     for_each_cube([&](const std::array<int, 3>& c) {
       for (int axis = 0; axis < 3; ++axis) {
         std::array<int, 3> next = c;

@@ -106,7 +106,7 @@ MeshFile read_off(const std::string& path, std::string_view bytes) {
     for (const std::vector<double>& column : columns)
       if (column.size() != i + 1) lines.fail("fewer values than in the line of the first vertex");
   }
-  std::size_t n_ignored = 0;
+  std::size_t n_ignored = 0, n_with_more = 0;
   for (std::size_t f = 0; f < header.n_faces; ++f) {
     if (!lines.next()) ends_early(f, header.n_faces, "faces");
     std::string_view rest = lines.line();
@@ -117,7 +117,9 @@ MeshFile read_off(const std::string& path, std::string_view bytes) {
       add_corner({path, "line", lines.number()}, lines.integer_of(rest, "a corner of a face"), header.n_vertices,
                  polygon);
     add_polygon(std::move(polygon), mesh.shape, n_ignored);
+    n_with_more += rest.find_first_not_of(" \t") != rest.npos;
   }
+  if (n_with_more > 0) mesh.notes.emplace_back("colours of faces dropped");
   if (lines.next())
     lines.fail("the header declares {} vertices and {} faces, but the file goes on; correct the header",
                header.n_vertices, header.n_faces);

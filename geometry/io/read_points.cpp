@@ -1,6 +1,5 @@
 #include "geometry/io/read_points.h"
 
-#include "base/instantiate.h"
 #include "geometry/mesh_text/read_text.h"
 #include "geometry/surface/mesh_details.h"
 

@@ -106,6 +106,7 @@ MeshFile read_text(const std::string& path, std::string_view bytes) {
   LineReader lines(path, bytes, '\0');
   Welder welder(mesh.shape);
   bool open = false;
+  std::size_t n_solids = 0;
   while (lines.next()) {
     std::string_view rest = lines.line();
     const std::string_view keyword = next_word(rest);
@@ -113,6 +114,7 @@ MeshFile read_text(const std::string& path, std::string_view bytes) {
       mesh.shape.polygons.push_back(read_facet(lines, welder));
     } else if (equals_ignoring_case(keyword, "solid") && !open) {
       open = true;
+      ++n_solids;
     } else if (equals_ignoring_case(keyword, "endsolid") && open) {
       open = false;
     } else {
@@ -120,6 +122,7 @@ MeshFile read_text(const std::string& path, std::string_view bytes) {
     }
   }
   if (open) throw_input_error("{}: cut off: 'endsolid' is missing at the end (line {})", path, lines.number());
+  if (n_solids > 1) mesh.notes.push_back(fmt::format("{} solids read as one shape, without their names", n_solids));
   return mesh;
 }
 

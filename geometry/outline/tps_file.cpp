@@ -202,8 +202,7 @@ std::vector<std::optional<Vec<Dim>>> scaled_landmarks(const TpsSpecimen& specime
   return points;
 }
 
-template std::vector<std::optional<Vec<2>>> scaled_landmarks<2>(const TpsSpecimen&, const std::string&);
-template std::vector<std::optional<Vec<3>>> scaled_landmarks<3>(const TpsSpecimen&, const std::string&);
+SHELLMATCH_2D_3D(scaled_landmarks);
 
 void append_tps_specimen(std::string& text, std::string_view name, std::span<const double> coordinates,
                          std::size_t dimension, Space space) {

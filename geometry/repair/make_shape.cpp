@@ -45,7 +45,6 @@ Shape<Dim> make_shape(OriginalShape<Dim> original, std::string source, std::vect
   return shape;
 }
 
-template Shape<2> make_shape<2>(OriginalShape<2>, std::string, std::vector<std::string>, Closing);
-template Shape<3> make_shape<3>(OriginalShape<3>, std::string, std::vector<std::string>, Closing);
+SHELLMATCH_2D_3D(make_shape);
 
 }  // namespace shellmatch

@@ -90,8 +90,7 @@ std::array<double, Dim> barycentric_coordinates(const Surface<Dim>& surface, Ind
   return weights;
 }
 
-template FacetPoint<2> closest_point_on_facet(const Surface<2>&, Index, const Vec<2>&);
-template FacetPoint<3> closest_point_on_facet(const Surface<3>&, Index, const Vec<3>&);
+SHELLMATCH_2D_3D(closest_point_on_facet);
 template std::array<double, 2> barycentric_coordinates<2>(const Surface<2>&, Index, const FacetPoint<2>&);
 template std::array<double, 3> barycentric_coordinates<3>(const Surface<3>&, Index, const FacetPoint<3>&);
 

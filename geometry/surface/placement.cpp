@@ -90,10 +90,8 @@ void apply_similarity(const Similarity<Dim>& placement, Shape<Dim>& shape) {
     apply_similarity(placement, *surface);
 }
 
-template Similarity<2> fit_placement(const Shape<2>&, const Shape<2>&, double);
-template Similarity<3> fit_placement(const Shape<3>&, const Shape<3>&, double);
-template Similarity<2> as_is_placement(const Shape<2>&, const Shape<2>&, double);
-template Similarity<3> as_is_placement(const Shape<3>&, const Shape<3>&, double);
+SHELLMATCH_2D_3D(fit_placement);
+SHELLMATCH_2D_3D(as_is_placement);
 template void apply_similarity(const Similarity<2>&, Surface<2>&);
 template void apply_similarity(const Similarity<3>&, Surface<3>&);
 template void apply_similarity(const Similarity<2>&, Shape<2>&);

@@ -20,8 +20,7 @@ Vec<Dim> unit_or_zero(const Vec<Dim>& x) {
   return scaled / scaled.norm();
 }
 
-template Vec<2> unit_or_zero<2>(const Vec<2>&);
-template Vec<3> unit_or_zero<3>(const Vec<3>&);
+SHELLMATCH_2D_3D(unit_or_zero);
 
 namespace {
 

@@ -54,13 +54,9 @@ double enclosed_measure(const Surface<Dim>& s) {
   return flux / (Dim * (Dim - 1));
 }
 
-template double surface_measure(const Surface<2>&);
-template double surface_measure(const Surface<3>&);
-template std::vector<double> vertex_measures(const Surface<2>&);
-template std::vector<double> vertex_measures(const Surface<3>&);
-template std::vector<Vec<2>> vertex_normals(const Surface<2>&);
-template std::vector<Vec<3>> vertex_normals(const Surface<3>&);
-template double enclosed_measure(const Surface<2>&);
-template double enclosed_measure(const Surface<3>&);
+SHELLMATCH_2D_3D(surface_measure);
+SHELLMATCH_2D_3D(vertex_measures);
+SHELLMATCH_2D_3D(vertex_normals);
+SHELLMATCH_2D_3D(enclosed_measure);
 
 }  // namespace shellmatch

@@ -76,7 +76,6 @@ Topology topology(const Surface<Dim>& s, double least_share) {
   return result;
 }
 
-template Topology topology(const Surface<2>&, double);
-template Topology topology(const Surface<3>&, double);
+SHELLMATCH_2D_3D(topology);
 
 }  // namespace shellmatch

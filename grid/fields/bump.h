@@ -18,13 +18,4 @@ inline double bump(double t, double sigma) {
   return gap > 0 ? bump_constant / sigma * std::exp(-1 / gap) : 0.0;
 }
 
-/// Derivative of eta_sigma with respect to t.
-inline double bump_derivative(double t, double sigma) {
-  const double s = t / sigma;
-  const double gap = 1 - s * s;
-  // Where exp underflows the quotient would be 0/0; eta and all its derivatives vanish there.
-  if (gap < 1.0 / 700) return 0.0;
-  return -2 * s / (sigma * gap * gap) * bump(t, sigma);
-}
-
 }  // namespace shellmatch

@@ -205,7 +205,6 @@ std::vector<double> march_distance(const Octree<Dim>& grid, const std::function<
   return march.signed_values();
 }
 
-template std::vector<double> march_distance<2>(const Octree<2>&, const std::function<double(const Vec<2>&)>&);
-template std::vector<double> march_distance<3>(const Octree<3>&, const std::function<double(const Vec<3>&)>&);
+SHELLMATCH_2D_3D(march_distance);
 
 }  // namespace shellmatch

@@ -120,8 +120,7 @@ int MassOperator<Dim>::solve(std::span<const double> b, std::span<double> x, int
   return iteration;
 }
 
-template std::vector<double> lumped_mass<2>(const Octree<2>&);
-template std::vector<double> lumped_mass<3>(const Octree<3>&);
+SHELLMATCH_2D_3D(lumped_mass);
 template class MassOperator<2>;
 template class MassOperator<3>;
 

@@ -80,11 +80,8 @@ std::vector<Vec<Dim>> nodal_normals(const Octree<Dim>& grid, const std::vector<d
   return normals;
 }
 
-template std::vector<Vec<2>> project_gradient<2>(const Octree<2>&, const std::vector<double>&, MassKind);
-template std::vector<Vec<3>> project_gradient<3>(const Octree<3>&, const std::vector<double>&, MassKind);
-template void normalise<2>(std::vector<Vec<2>>&, double);
-template void normalise<3>(std::vector<Vec<3>>&, double);
-template std::vector<Vec<2>> nodal_normals<2>(const Octree<2>&, const std::vector<double>&, MassKind);
-template std::vector<Vec<3>> nodal_normals<3>(const Octree<3>&, const std::vector<double>&, MassKind);
+SHELLMATCH_2D_3D(project_gradient);
+SHELLMATCH_2D_3D(normalise);
+SHELLMATCH_2D_3D(nodal_normals);
 
 }  // namespace shellmatch

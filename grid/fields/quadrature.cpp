@@ -47,7 +47,6 @@ std::vector<QuadraturePoint<Dim>> gauss_rule(int n) {
   return rule;
 }
 
-template std::vector<QuadraturePoint<2>> gauss_rule<2>(int);
-template std::vector<QuadraturePoint<3>> gauss_rule<3>(int);
+SHELLMATCH_2D_3D(gauss_rule);
 
 }  // namespace shellmatch

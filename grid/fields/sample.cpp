@@ -22,9 +22,6 @@ std::vector<double> sample_nodes(const Octree<Dim>& grid, const std::function<do
   return nodal;
 }
 
-template std::vector<double> sample_nodes<2>(const Octree<2>&, const std::function<double(const Vec<2>&)>&,
-                                             HangingValues);
-template std::vector<double> sample_nodes<3>(const Octree<3>&, const std::function<double(const Vec<3>&)>&,
-                                             HangingValues);
+SHELLMATCH_2D_3D(sample_nodes);
 
 }  // namespace shellmatch

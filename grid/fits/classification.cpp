@@ -76,8 +76,7 @@ Mat<Dim> classified_power(const Mat<Dim>& extended_shape, const Classifier& clas
   return exponent > 0 ? franca_root<Dim>(result) : franca_inverse_root<Dim>(result);
 }
 
-template Mat<2> extended_shape_operator<2>(const Mat<2>&, const Vec<2>&);
-template Mat<3> extended_shape_operator<3>(const Mat<3>&, const Vec<3>&);
+SHELLMATCH_2D_3D(extended_shape_operator);
 template Mat<2> classified_power<2>(const Mat<2>&, const Vec<2>&, const Classifier&, double);
 template Mat<3> classified_power<3>(const Mat<3>&, const Vec<3>&, const Classifier&, double);
 template Mat<2> classified_power<2>(const Mat<2>&, const Classifier&, double);

@@ -149,22 +149,18 @@ CoefficientPair<Dim> shape_operator_pair(const GridPair<Dim>& grids, std::array<
   return {operators(*grids[0], geometry[0]), operators(*grids[1], geometry[1])};
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                    \
-  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>, const CoefficientOptions&,  \
-                                                  std::span<const Index>);                                             \
-  template std::array<NodalGeometry<Dim>, 2> nodal_geometry<Dim>(                                                      \
-      const Octree<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&, std::span<const Index>);      \
-  template Classifier make_classifier<Dim>(const GridPair<Dim>&, const CoefficientOptions&, const NodalGeometry<Dim>&, \
-                                           const NodalGeometry<Dim>&);                                                 \
-  template CoefficientFields<Dim> classify<Dim>(const Octree<Dim>&, NodalGeometry<Dim>, const Classifier&, bool);      \
-  template CoefficientFields<Dim> compute_coefficients<Dim>(const Octree<Dim>&, std::vector<double>,                   \
-                                                            const CoefficientOptions&, bool);                          \
-  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>, const CoefficientOptions&,  \
-                                                  const HierarchicalFit<Dim>&);                                        \
-  template CoefficientPair<Dim> coefficient_pair<Dim>(const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>,         \
-                                                      const CoefficientOptions&);                                      \
-  template CoefficientPair<Dim> shape_operator_pair<Dim>(const GridPair<Dim>&, std::array<NodalGeometry<Dim>, 2>,      \
-                                                         const CoefficientOptions&);
+SHELLMATCH_2D_3D(make_classifier);
+SHELLMATCH_2D_3D(classify);
+SHELLMATCH_2D_3D(compute_coefficients);
+SHELLMATCH_2D_3D(coefficient_pair);
+SHELLMATCH_2D_3D(shape_operator_pair);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
+  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>, const CoefficientOptions&, \
+                                                  std::span<const Index>);                                            \
+  template std::array<NodalGeometry<Dim>, 2> nodal_geometry<Dim>(                                                     \
+      const Octree<Dim>&, std::array<std::vector<double>, 2>, const CoefficientOptions&, std::span<const Index>);     \
+  template NodalGeometry<Dim> nodal_geometry<Dim>(const Octree<Dim>&, std::vector<double>, const CoefficientOptions&, \
+                                                  const HierarchicalFit<Dim>&);
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

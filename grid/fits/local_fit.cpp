@@ -105,8 +105,8 @@ std::array<Hessians<Dim>, 2> fit_hessians(const Octree<Dim>& grid, const std::ar
   return fit_all<Dim, 2>(grid, {nodal[0].data(), nodal[1].data()}, options, nodes);
 }
 
+SHELLMATCH_2D_3D(n_neighbours);
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
-  template std::size_t n_neighbours<Dim>(const CoefficientOptions&);                                                  \
   template Hessians<Dim> fit_hessians<Dim>(const Octree<Dim>&, const std::vector<double>&, const CoefficientOptions&, \
                                            std::span<const Index>);                                                   \
   template std::array<Hessians<Dim>, 2> fit_hessians<Dim>(const Octree<Dim>&,                                         \

@@ -99,9 +99,7 @@ Mat<Dim> franca_inverse_root(const Mat<Dim>& a) {
   return compute<Dim>(a, true);
 }
 
-template Mat<2> franca_root<2>(const Mat<2>&);
-template Mat<3> franca_root<3>(const Mat<3>&);
-template Mat<2> franca_inverse_root<2>(const Mat<2>&);
-template Mat<3> franca_inverse_root<3>(const Mat<3>&);
+SHELLMATCH_2D_3D(franca_root);
+SHELLMATCH_2D_3D(franca_inverse_root);
 
 }  // namespace shellmatch

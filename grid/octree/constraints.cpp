@@ -80,8 +80,7 @@ void Constraints<Dim>::condense(std::span<double> nodal, int n_components) const
     std::fill_n(&nodal[static_cast<std::size_t>(h.node) * n_components], n_components, 0.0);
 }
 
-template void distribute<2>(const Octree<2>&, std::span<double>, int);
-template void distribute<3>(const Octree<3>&, std::span<double>, int);
+SHELLMATCH_2D_3D(distribute);
 template class Constraints<2>;
 template class Constraints<3>;
 

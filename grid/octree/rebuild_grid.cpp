@@ -61,7 +61,6 @@ std::optional<Octree<Dim>> rebuild_grid(const std::vector<LeafPlace<Dim>>& leave
   return grid;
 }
 
-template std::optional<Octree<2>> rebuild_grid<2>(const std::vector<LeafPlace<2>>&);
-template std::optional<Octree<3>> rebuild_grid<3>(const std::vector<LeafPlace<3>>&);
+SHELLMATCH_2D_3D(rebuild_grid);
 
 }  // namespace shellmatch

@@ -47,13 +47,8 @@ bool meets_surface(const Octree<Dim>& grid, const std::vector<double>& nodal_dis
   return cube_meets_surface<Dim>(distance, grid.cell_centre(leaf), cell.side());
 }
 
-template bool changes_sign<2>(const Octree<2>&, const std::vector<double>&, Index);
-template bool changes_sign<3>(const Octree<3>&, const std::vector<double>&, Index);
-template bool cube_meets_surface<2>(const std::function<double(const Vec<2>&)>&, const Vec<2>&, double, int);
-template bool cube_meets_surface<3>(const std::function<double(const Vec<3>&)>&, const Vec<3>&, double, int);
-template bool meets_surface<2>(const Octree<2>&, const std::vector<double>&,
-                               const std::function<double(const Vec<2>&)>&, Index);
-template bool meets_surface<3>(const Octree<3>&, const std::vector<double>&,
-                               const std::function<double(const Vec<3>&)>&, Index);
+SHELLMATCH_2D_3D(changes_sign);
+SHELLMATCH_2D_3D(cube_meets_surface);
+SHELLMATCH_2D_3D(meets_surface);
 
 }  // namespace shellmatch

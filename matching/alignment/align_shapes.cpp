@@ -37,13 +37,16 @@ struct Outcome {
   Start<Dim>& best() { return search.starts[choice.index]; }
 };
 
-// A mirrored copy is searched only where something is strange, since it takes as long as the search itself: a turn to
-// the other side, as of what is mirrored and thin, or no map that is nearly isometric.
+// A mirrored copy is searched only where something is strange, since it takes as long as the search itself: first maps
+// that are clearly better mirrored, a turn to the other side, as of what is mirrored and thin, or no map that is nearly
+// isometric.
 constexpr double strange_turn = 120;  // degrees
+// Shapes with two like sides have gains of 0.9 to 1.05, a hand beside that of another person 0.1 and mirrored 6.5.
+constexpr double strange_gain = 1.5;
 
-bool is_worth_mirroring(const Start<3>& best, const StartChoice& choice) {
-  return best.is_usable() &&
-         (choice.is_doubtful || choice.as_it_lies || angle_in_degrees<3>(best.alignment.pose.rotation) > strange_turn);
+bool is_worth_mirroring(const StartSearch<3>& search, const Start<3>& best, const StartChoice& choice) {
+  return best.is_usable() && (search.mirrored_gain > strange_gain || choice.is_doubtful || choice.as_it_lies ||
+                              angle_in_degrees<3>(best.alignment.pose.rotation) > strange_turn);
 }
 
 template <int Dim>
@@ -108,6 +111,7 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
       Outcome<3> poses = choice_among(findings.by_poses.next([&] { return search_poses(shapes, landmarks, options); }),
                                       options, trials);
       poses.search.fits_far_better_mirrored = outcome.search.fits_far_better_mirrored;
+      poses.search.mirrored_gain = outcome.search.mirrored_gain;
       if (!poses.choice.is_doubtful && !pairs_stay(outcome, poses, options, trials)) return poses;
     }
   }
@@ -176,7 +180,7 @@ Alignment<Dim> search(const ShapePair<Dim>& shapes, const std::vector<Landmark<D
   bool fits_mirrored = false;
   if constexpr (Dim == 3)
     if (outcome.search.fits_far_better_mirrored && !options.search.mirror && options.mode == AlignMode::automatic &&
-        !outcome.search.is_of_part && is_worth_mirroring(best, choice))
+        !outcome.search.is_of_part && is_worth_mirroring(outcome.search, best, choice))
       fits_mirrored = findings.fits_mirrored.next([&] { return outcome.search.fits_far_better_mirrored(best); });
   const bool is_trusted = options.mode != AlignMode::automatic || (choice.is_usable && !choice.as_it_lies);
   bool is_used = best.is_usable() && is_trusted;

@@ -96,13 +96,8 @@ Similarity<Dim> choose_pose(const std::vector<CorrespondingPointsIn<Dim>>& pairs
   return gains ? pose : Similarity<Dim>{};
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
-  template double angle_in_degrees<Dim>(const Mat<Dim>&);                                                        \
-  template std::string pose_text<Dim>(const Similarity<Dim>&, std::string_view);                                 \
-  template Similarity<Dim> choose_pose<Dim>(const std::vector<CorrespondingPointsIn<Dim>>&, const AlignOptions&, \
-                                            Mirroring)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(angle_in_degrees);
+SHELLMATCH_2D_3D(pose_text);
+SHELLMATCH_2D_3D(choose_pose);
 
 }  // namespace shellmatch

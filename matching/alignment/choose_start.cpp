@@ -183,7 +183,6 @@ StartChoice choose_start(const StartSearch<Dim>& search, const AlignOptions& opt
   return Choosing<Dim>(search, options, trials).go(search.margin);
 }
 
-template StartChoice choose_start<2>(const StartSearch<2>&, const AlignOptions&, Trials<2>&);
-template StartChoice choose_start<3>(const StartSearch<3>&, const AlignOptions&, Trials<3>&);
+SHELLMATCH_2D_3D(choose_start);
 
 }  // namespace shellmatch

@@ -53,6 +53,7 @@ struct StartSearch {
   bool is_of_part = false;
   bool is_ambiguous =
       false;  ///< any rotation may be as good as those that starts stand for: the margin is 1, whatever trials say
+  double mirrored_gain = 0;  ///< FoundMaps::mirrored_gain; 0 where none was searched by spectra
   /// Whether the mirrored reference has a map that is much better than a start, as where a left bone lies beside a
   /// right one; empty where none was searched by spectra.
   std::function<bool(const Start<Dim>&)> fits_far_better_mirrored = {};

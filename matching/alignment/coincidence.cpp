@@ -118,7 +118,6 @@ double distance_after(const ShapePair<Dim>& shapes, const Similarity<Dim>& pose)
 
 template class Coincidence<2>;
 template class Coincidence<3>;
-template double distance_after<2>(const ShapePair<2>&, const Similarity<2>&);
-template double distance_after<3>(const ShapePair<3>&, const Similarity<3>&);
+SHELLMATCH_2D_3D(distance_after);
 
 }  // namespace shellmatch

@@ -80,9 +80,6 @@ void correct_pairs(std::vector<PointPair<Dim>>& pairs, const std::vector<PointPa
   }
 }
 
-template void correct_pairs<2>(std::vector<PointPair<2>>&, const std::vector<PointPair<2>>&, double,
-                               const SignedDistance<2>&, const SignedDistance<2>&);
-template void correct_pairs<3>(std::vector<PointPair<3>>&, const std::vector<PointPair<3>>&, double,
-                               const SignedDistance<3>&, const SignedDistance<3>&);
+SHELLMATCH_2D_3D(correct_pairs);
 
 }  // namespace shellmatch

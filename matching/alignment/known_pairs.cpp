@@ -81,14 +81,8 @@ ExperimentOptions cascade_options(const ExperimentOptions& options, const Alignm
   return result;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                             \
-  template bool lie_near<Dim>(const SignedDistance<Dim>&, const SignedDistance<Dim>&);                          \
-  template ExperimentOptions cascade_options<Dim>(const ExperimentOptions&, const Alignment<Dim>&);             \
-  template std::vector<PairSet<Dim>> known_pairs<Dim>(const std::vector<Landmark<Dim>>&, const Alignment<Dim>&, \
-                                                      const ExperimentOptions&, const Similarity<Dim>&,         \
-                                                      const SignedDistance<Dim>&, const SignedDistance<Dim>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(lie_near);
+SHELLMATCH_2D_3D(cascade_options);
+SHELLMATCH_2D_3D(known_pairs);
 
 }  // namespace shellmatch

@@ -50,7 +50,6 @@ std::optional<PreparedPair<Dim>> prepare_as_before(ShapePair<Dim>& shapes, const
   return pair;
 }
 
-template std::optional<PreparedPair<2>> prepare_as_before<2>(ShapePair<2>&, const MapFrame<2>&, double);
-template std::optional<PreparedPair<3>> prepare_as_before<3>(ShapePair<3>&, const MapFrame<3>&, double);
+SHELLMATCH_2D_3D(prepare_as_before);
 
 }  // namespace shellmatch

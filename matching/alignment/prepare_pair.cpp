@@ -135,11 +135,9 @@ PreparedPair<Dim> prepare_pair(ShapePair<Dim>& shapes, const std::vector<Landmar
   return result;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                \
-  template PreparedPair<Dim> prepare_pair<Dim>(ShapePair<Dim>&, const std::vector<Landmark<Dim>>&, \
-                                               const ExperimentOptions&, Observer&, AlignmentFindings<Dim>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+template PreparedPair<2> prepare_pair<2>(ShapePair<2>&, const std::vector<Landmark<2>>&, const ExperimentOptions&,
+                                         Observer&, AlignmentFindings<2>&);
+template PreparedPair<3> prepare_pair<3>(ShapePair<3>&, const std::vector<Landmark<3>>&, const ExperimentOptions&,
+                                         Observer&, AlignmentFindings<3>&);
 
 }  // namespace shellmatch

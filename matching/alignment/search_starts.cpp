@@ -167,6 +167,7 @@ StartSearch<3> search_whole_starts(const ShapePair<3>& shapes, const std::vector
   StartSearch<3> search{
       {}, found.margin, are_spread(landmarks, shapes.template_shape.surface), found.candidates.front().n_landmarks};
   search.is_ambiguous = found.is_ambiguous;
+  search.mirrored_gain = found.mirrored_gain;
   // Of symmetric shapes both are alike; the mirrored copy of a bone differs from its other side by a tenth of what a
   // wrong one does.
   search.fits_far_better_mirrored = [reference = found.spectra[0], template_shape = found.spectra[1],

@@ -124,13 +124,6 @@ CascadeResult<Dim> run_cascade(const SignedDistance<Dim>& reference, const Signe
   return result;
 }
 
-template CascadeResult<2> run_cascade<2>(const SignedDistance<2>&, const SignedDistance<2>&, const ExperimentOptions&,
-                                         Observer&, const LevelCallback<2>&, PhaseSeconds&,
-                                         std::optional<FinishedLevel<2>>, const std::vector<PairSet<2>>&,
-                                         const ObservedPair<2>&);
-template CascadeResult<3> run_cascade<3>(const SignedDistance<3>&, const SignedDistance<3>&, const ExperimentOptions&,
-                                         Observer&, const LevelCallback<3>&, PhaseSeconds&,
-                                         std::optional<FinishedLevel<3>>, const std::vector<PairSet<3>>&,
-                                         const ObservedPair<3>&);
+SHELLMATCH_2D_3D(run_cascade);
 
 }  // namespace shellmatch

@@ -51,9 +51,7 @@ double check_level_memory(int level, const LevelSizes& sizes, const SolverOption
   return std::max(peak, static_cast<double>(peak_memory_bytes()));
 }
 
-template double level_memory_bytes<2>(const LevelSizes&, const SolverOptions&);
-template double level_memory_bytes<3>(const LevelSizes&, const SolverOptions&);
-template double check_level_memory<2>(int, const LevelSizes&, const SolverOptions&);
-template double check_level_memory<3>(int, const LevelSizes&, const SolverOptions&);
+SHELLMATCH_2D_3D(level_memory_bytes);
+SHELLMATCH_2D_3D(check_level_memory);
 
 }  // namespace shellmatch

@@ -96,11 +96,8 @@ void check_size(const RefinedMeasures& measures, int min_level, int max_level, c
   throw EnvironmentError(text);
 }
 
-template RefinedMeasures refined_measures<2>(const Surface<2>&, const Surface<2>&, const ExperimentOptions&);
-template RefinedMeasures refined_measures<3>(const Surface<3>&, const Surface<3>&, const ExperimentOptions&);
-template SizeEstimate estimate_size<2>(const RefinedMeasures&, int, int);
-template SizeEstimate estimate_size<3>(const RefinedMeasures&, int, int);
-template void check_size<2>(const RefinedMeasures&, int, int, const std::string&);
-template void check_size<3>(const RefinedMeasures&, int, int, const std::string&);
+SHELLMATCH_2D_3D(refined_measures);
+SHELLMATCH_2D_3D(estimate_size);
+SHELLMATCH_2D_3D(check_size);
 
 }  // namespace shellmatch

@@ -261,15 +261,14 @@ std::string CheckpointFolder::foreign_text() const {
   return thing ? shellmatch::foreign_text(thing) : "";
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                     \
-  template RunIdentity run_identity<Dim>(const ExperimentOptions&, const OriginalShape<Dim>&,           \
-                                         const OriginalShape<Dim>&, const std::vector<Landmark<Dim>>&); \
-  template AlignmentFindings<Dim> CheckpointFolder::read_alignment<Dim>() const;                        \
-  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const;            \
-  template void CheckpointFolder::write<Dim>(const AlignmentFindings<Dim>&);                            \
-  template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
+SHELLMATCH_2D_3D(run_identity);
+#define SHELLMATCH_INSTANTIATE(Dim)                                                          \
+  template AlignmentFindings<Dim> CheckpointFolder::read_alignment<Dim>() const;             \
+  template std::optional<MatchProgress<Dim>> CheckpointFolder::read<Dim>(std::size_t) const; \
+  template void CheckpointFolder::write<Dim>(const AlignmentFindings<Dim>&);                 \
+  template void CheckpointFolder::write<Dim>(const CheckpointView<Dim>&, const std::string&);
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

@@ -1,5 +1,4 @@
 #include "base/error.h"
-#include "base/instantiate.h"
 #include "matching/checkpoint/alignment_file.h"
 #include "matching/json/json_members.h"
 #include "matching/output/write_file.h"
@@ -66,7 +65,7 @@ SHELLMATCH_JSON_2D_3D(Start, (alignment.pose, pose), (alignment.pairs, pairs), (
                       (n_contradicting, contradicting), pair_share, score, order, margin, landmark_distance,
                       (is_identity, identity), (is_mirrored, mirrored))
 SHELLMATCH_JSON_2D_3D(StartSearch, starts, margin, (searched_share, share), (n_landmarks, landmarks),
-                      landmarks_are_spread, notes, (is_of_part, part), (is_ambiguous, ambiguous))
+                      landmarks_are_spread, notes, (is_of_part, part), (is_ambiguous, ambiguous), mirrored_gain)
 SHELLMATCH_JSON(Trial, energy, with_pairs, template_distance, spin_difference, limb_disorder)
 SHELLMATCH_JSON(DirectionTrial, distance, energy, missed)
 SHELLMATCH_JSON_IF((requires(S & s) { s.results, s.seconds; }), results, seconds)

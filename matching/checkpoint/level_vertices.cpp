@@ -1,6 +1,5 @@
 #include "matching/checkpoint/level_vertices.h"
 
-#include "base/instantiate.h"
 #include "base/error.h"
 #include "matching/experiment/level_overrides.h"
 #include "matching/output/write_file.h"

@@ -108,9 +108,6 @@ std::vector<Vec<Dim>> positions_of(const CheckState& state, const LevelEnergy<Di
   return phi;
 }
 
-template std::vector<Vec<2>> positions_of<2>(const CheckState&, const LevelEnergy<2>&, const EnergyOptions&,
-                                             const std::optional<Deformation<2>>&);
-template std::vector<Vec<3>> positions_of<3>(const CheckState&, const LevelEnergy<3>&, const EnergyOptions&,
-                                             const std::optional<Deformation<3>>&);
+SHELLMATCH_2D_3D(positions_of);
 
 }  // namespace shellmatch

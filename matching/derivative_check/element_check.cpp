@@ -241,7 +241,6 @@ void check_elements(const CheckContext<Dim>& context, const AssembledTerm& term,
   ElementComparison<Dim>(context, term, check).run();
 }
 
-template void check_elements<2>(const CheckContext<2>&, const AssembledTerm&, TermCheck&);
-template void check_elements<3>(const CheckContext<3>&, const AssembledTerm&, TermCheck&);
+SHELLMATCH_2D_3D(check_elements);
 
 }  // namespace shellmatch

@@ -225,12 +225,6 @@ GradientReport check_gradient(LevelEnergy<Dim>& level, const CheckedEnergy<Dim>&
   return report;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                  \
-  template GradientReport check_gradient<Dim>(                                                       \
-      LevelEnergy<Dim>&, const CheckedEnergy<Dim>&, const std::vector<Vec<Dim>>&, const TermValues&, \
-      const GradientCheckSettings&, const std::function<void(const std::string&)>&);
-SHELLMATCH_INSTANTIATE(2)
-SHELLMATCH_INSTANTIATE(3)
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(check_gradient);
 
 }  // namespace shellmatch

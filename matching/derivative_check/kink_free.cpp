@@ -87,15 +87,9 @@ HeldPoints hold_at_kinks(const Unknowns<Dim>& unknowns, const CeresEvaluator<Dim
   return held;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
-  template Vec<Dim> distance_to_cell_faces<Dim>(const Octree<Dim>&, const Vec<Dim>&);                                 \
-  template Vec<Dim> distance_to_kinks<Dim>(const GeometryField<Dim>&, const Vec<Dim>&);                               \
-  template double least_distance_to_kinks<Dim>(const CeresEvaluator<Dim>&, const GeometryField<Dim>&, std::size_t,    \
-                                               const CeresEvaluator<Dim>::Dofs&);                                     \
-  template HeldPoints hold_at_kinks<Dim>(const Unknowns<Dim>&, const CeresEvaluator<Dim>&, const GeometryField<Dim>&, \
-                                         const Octree<Dim>&, std::span<const Vec<Dim>>, double, std::vector<double>&);
-SHELLMATCH_INSTANTIATE(2)
-SHELLMATCH_INSTANTIATE(3)
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(distance_to_cell_faces);
+SHELLMATCH_2D_3D(distance_to_kinks);
+SHELLMATCH_2D_3D(least_distance_to_kinks);
+SHELLMATCH_2D_3D(hold_at_kinks);
 
 }  // namespace shellmatch

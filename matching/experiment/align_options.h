@@ -47,8 +47,7 @@ struct AlignOptions {
   double doubtful_score = 0.9;
   double doubtful_margin = 1.02;
   AlignmentOptions search{.pairs = 1000};
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("mode", self.mode,
           {.meaning = "none: the shapes begin as they lie; auto: pairs of points are found and used, unless they are "
                       "no better than none; nothing with input.placement: as-is; rigid, similarity: the reference is "

@@ -47,7 +47,6 @@ std::vector<std::pair<Index, Vec<Dim>>> generated_correspondence(const std::stri
   return pairs;
 }
 
-template std::vector<std::pair<Index, Vec<2>>> generated_correspondence<2>(const std::string&, const std::string&);
-template std::vector<std::pair<Index, Vec<3>>> generated_correspondence<3>(const std::string&, const std::string&);
+SHELLMATCH_2D_3D(generated_correspondence);
 
 }  // namespace shellmatch

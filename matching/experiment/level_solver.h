@@ -10,8 +10,7 @@ namespace shellmatch {
 /// The solver options for all levels, and overrides for some of them.
 struct LevelwiseSolverOptions : SolverOptions {
   LevelOverrides levels;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     SolverOptions::describe(self, visit);
     visit(
         "levels", self.levels,

@@ -20,8 +20,7 @@ namespace shellmatch {
 struct CheckGradientOptions {
   int every = 0;
   int directions = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("every", self.every,
           {.unit = "iterations",
            .min = 0,
@@ -90,8 +89,7 @@ struct InputOptions {
   Closing close = Closing::automatic;
   Burial buried = Burial::left_out;
   SpaceKind space = SpaceKind::automatic;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("reference", self.reference, {.meaning = "file of the shape that is deformed; relative to the YAML file"});
     visit("template", self.template_file, {.meaning = "file of the shape it is to match; relative to the YAML file"});
     visit("correspondence", self.correspondence,
@@ -133,8 +131,7 @@ struct CascadeOptions {
   double sigma_cells = 2;
   double coarse_sigma_cells = 4;
   RefineWhere refine = RefineWhere::reference;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("min_level", self.min_level,
           {.unit = "level",
            .min = 1,
@@ -177,13 +174,12 @@ struct StartOptions {
   std::string map;
   int level = 0;
   std::vector<std::string> images;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
-    visit(
-        "map", self.map,
-        {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same "
-                    "places, whose pose and map replace the alignment and the coarse levels; if it does not fit the "
-                    "run begins without it, and says so. Such a run keeps no checkpoints; relative to the YAML file"});
+  static void describe(auto& self, auto& visit) {
+    visit("map", self.map,
+          {.meaning = "output folder (or deformation.vtu) of an earlier run of nearly the same shapes in the same "
+                      "places, whose pose and map replace the alignment and the coarse levels; if the shapes lie "
+                      "elsewhere the run begins without it, and says so. Such a run keeps no checkpoints; relative to "
+                      "the YAML file"});
     visit(
         "level", self.level,
         {.unit = "level",
@@ -203,8 +199,7 @@ struct StartOptions {
 struct ResumeOptions {
   bool enabled = true;
   double min_seconds = 10;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("enabled", self.enabled,
           {.meaning = "keep the alignment and the last finished level in NAME.unfinished beside the output folder NAME "
                       "until the run is done, so that the same command resumes a run that was stopped"});
@@ -233,8 +228,7 @@ struct ExperimentOptions {
   bool report = true, vertex_table = false;
   ResumeOptions resume;
   int threads = 0;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("profile", self.profile,
           {.meaning = "set of defaults: default is the best we know, paper keeps the paper's discrete choices "
                       "(docs/profiles.md)"});

@@ -26,8 +26,7 @@ struct LandmarkOptions {
   double scale = 0.01;
   double max_distance = 0.05;
   UnpairedLandmarks unpaired = UnpairedLandmarks::are_refused;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("file", self.file,
           {.meaning = "CSV file of points of both shapes, or CSV, .fcsv, .mrk.json or .tps of those of the reference "
                       "alone; relative to the YAML file (docs/landmarks.md)"});
@@ -60,8 +59,7 @@ struct CoverageOptions {
   double coarse_tolerance = 0.5;
   int samples = 10000;
   int rounds = 1;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("levels", self.levels,
           {.unit = "levels",
            .min = 0,

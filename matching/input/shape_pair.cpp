@@ -1,6 +1,5 @@
 #include "matching/input/shape_pair.h"
 
-#include "base/instantiate.h"
 #include "base/error.h"
 #include "geometry/distance/buried_parts.h"
 #include "geometry/io/picture_height.h"

@@ -49,13 +49,11 @@ std::optional<Mat<Dim>> PointMap<Dim>::jacobian(const Vec<Dim>& x) const {
   return Mat<Dim>(forward.inverse());
 }
 
-template Surface<2> deformed_surface(const Surface<2>&, const Octree<2>&, const std::vector<Vec<2>>&);
-template Surface<3> deformed_surface(const Surface<3>&, const Octree<3>&, const std::vector<Vec<3>>&);
+SHELLMATCH_2D_3D(deformed_surface);
 template struct Deformation<2>;
 template struct Deformation<3>;
 template class PointMap<2>;
 template class PointMap<3>;
-template std::vector<Vec<2>> sampled_map<2>(const Deformation<2>&, const Octree<2>&);
-template std::vector<Vec<3>> sampled_map<3>(const Deformation<3>&, const Octree<3>&);
+SHELLMATCH_2D_3D(sampled_map);
 
 }  // namespace shellmatch

@@ -13,9 +13,6 @@ Eigen::SparseMatrix<double> level_metric(const LevelEnergy<Dim>& level, const So
   return metric_matrix<Dim>(level.grid, level.unknowns, level.energy, product);
 }
 
-template Eigen::SparseMatrix<double> level_metric<2>(const LevelEnergy<2>&, const SolverOptions&, const TermValues&,
-                                                     Metric);
-template Eigen::SparseMatrix<double> level_metric<3>(const LevelEnergy<3>&, const SolverOptions&, const TermValues&,
-                                                     Metric);
+SHELLMATCH_2D_3D(level_metric);
 
 }  // namespace shellmatch

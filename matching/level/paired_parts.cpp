@@ -119,9 +119,6 @@ ObservedPair<Dim> paired_parts(ObservedPair<Dim> observed, const Shape<Dim>& def
   return observed;
 }
 
-template ObservedPair<2> paired_parts<2>(ObservedPair<2>, const Shape<2>&, const Shape<2>&,
-                                         const std::vector<PairSet<2>>&);
-template ObservedPair<3> paired_parts<3>(ObservedPair<3>, const Shape<3>&, const Shape<3>&,
-                                         const std::vector<PairSet<3>>&);
+SHELLMATCH_2D_3D(paired_parts);
 
 }  // namespace shellmatch

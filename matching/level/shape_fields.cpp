@@ -211,12 +211,10 @@ std::vector<Vec<Dim>> identity_map(const Octree<Dim>& grid) {
   return phi;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
-  template class ShapeFields<Dim>;                                                                               \
-  template GeometryPair<Dim> multilinear_geometry<Dim>(const Octree<Dim>&, const CoefficientFields<Dim>&,        \
-                                                       const CoefficientFields<Dim>&, const ExperimentOptions&); \
-  template CoefficientFields<Dim> at_nodes<Dim>(const GeometryField<Dim>&, const Octree<Dim>&);                  \
-  template std::vector<Vec<Dim>> identity_map<Dim>(const Octree<Dim>&);
+SHELLMATCH_2D_3D(multilinear_geometry);
+SHELLMATCH_2D_3D(at_nodes);
+SHELLMATCH_2D_3D(identity_map);
+#define SHELLMATCH_INSTANTIATE(Dim) template class ShapeFields<Dim>;
 SHELLMATCH_INSTANTIATE(2)
 SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE

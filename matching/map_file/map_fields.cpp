@@ -50,13 +50,7 @@ std::vector<CellField> cell_fields(const Octree<Dim>& grid, const std::vector<Ve
   return {std::move(band), std::move(determinant)};
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                \
-  template std::vector<NodalField> nodal_fields<Dim>(const CoefficientFields<Dim>&, const CoefficientFields<Dim>&, \
-                                                     const ExperimentOptions&);                                    \
-  template std::vector<CellField> cell_fields<Dim>(const Octree<Dim>&, const std::vector<Vec<Dim>>&,               \
-                                                   const std::vector<double>&, double)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(nodal_fields);
+SHELLMATCH_2D_3D(cell_fields);
 
 }  // namespace shellmatch

@@ -239,9 +239,7 @@ int deformation_dimension(const std::string& path_or_folder) {
   return dimension_of(MapFile(path, bytes));
 }
 
-template Deformation<2> parse_deformation<2>(const std::string&, const std::string&);
-template Deformation<3> parse_deformation<3>(const std::string&, const std::string&);
-template Deformation<2> read_deformation<2>(const std::string&);
-template Deformation<3> read_deformation<3>(const std::string&);
+SHELLMATCH_2D_3D(parse_deformation);
+SHELLMATCH_2D_3D(read_deformation);
 
 }  // namespace shellmatch

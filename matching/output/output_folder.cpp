@@ -82,6 +82,18 @@ void check_place(const fs::path& path, bool force, ChangedFiles changed) {
 
 }  // namespace
 
+void check_inputs_outlive(const std::string& path, std::span<const std::string> inputs) {
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(path, error);
+  for (const std::string& input : inputs) {
+    if (input.empty() || !fs::exists(input, error)) continue;
+    const fs::path inside = fs::weakly_canonical(input, error).lexically_relative(place);
+    if (!inside.empty() && *inside.begin() != "..")
+      throw_input_error(
+          "{}: the result made from it would replace it; copy it elsewhere, or choose another folder with -o", input);
+  }
+}
+
 OutputFolder::OutputFolder(const std::string& path, bool force, ChangedFiles changed)
     : force_(force), changed_(changed), reserve_(std::make_unique<std::byte[]>(n_reserved_bytes)) {
   if (path.empty()) throw_input_error("the output folder has no name; give one with -o");

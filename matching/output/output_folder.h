@@ -8,10 +8,15 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace shellmatch {
+
+/// \throws InputError if one of the files or folders `inputs` lies in the folder at `path`, which a run replaces: what
+/// its result was made from would be gone. Names of nothing are passed over.
+void check_inputs_outlive(const std::string& path, std::span<const std::string> inputs);
 
 /// Files are written to a hidden folder beside the final one, on the same file system; commit() lists them in
 /// files.json (matching/output/written_files.h) and renames the folder. A run that fails leaves the earlier contents

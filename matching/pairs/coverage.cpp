@@ -49,10 +49,7 @@ std::vector<SurfaceSample<Dim>> sample_vertices(const Surface<Dim>& surface, std
   return samples;
 }
 
-template std::vector<SurfaceSample<2>> sample_vertices(const Surface<2>&, std::size_t,
-                                                       const std::function<bool(const Vec<2>&)>&);
-template std::vector<SurfaceSample<3>> sample_vertices(const Surface<3>&, std::size_t,
-                                                       const std::function<bool(const Vec<3>&)>&);
+SHELLMATCH_2D_3D(sample_vertices);
 
 namespace {
 

@@ -201,15 +201,7 @@ std::vector<Landmark<Dim>> read_landmarks(const LandmarkOptions& options, const 
                       : landmarks_of_each<Dim>(options, reference, template_shape, spaces, notes ? *notes : own_notes));
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                              \
-  template std::vector<Landmark<Dim>> read_landmarks<Dim>(const LandmarkOptions&, const std::vector<Vec<Dim>>&,  \
-                                                          const std::vector<Vec<Dim>>&, const LandmarkSpaces&,   \
-                                                          std::vector<std::string>*);                            \
-  template std::vector<NamedPoint<Dim>> read_named_points<Dim>(const std::string&, const std::vector<Vec<Dim>>&, \
-                                                               Space, Space, std::vector<std::string>&,          \
-                                                               std::set<std::string>*, const PlaneFrame&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(read_landmarks);
+SHELLMATCH_2D_3D(read_named_points);
 
 }  // namespace shellmatch

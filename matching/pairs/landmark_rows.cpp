@@ -46,7 +46,12 @@ void check_columns(const LineReader& reader, const std::vector<std::string>& col
       reader.fail("two columns are named '{}'", columns[i]);
   }
   for (const std::string& suffix : suffixes) {
-    if (has("vertex" + suffix)) continue;
+    if (has("vertex" + suffix)) {
+      for (int k = 0; k < Dim; ++k)
+        if (const std::string name = axes[static_cast<std::size_t>(k)] + suffix; has(name))
+          reader.fail("'vertex{}' and '{}' exclude each other: both say where a point is", suffix, name);
+      continue;
+    }
     for (int k = 0; k < Dim; ++k)
       if (const std::string name = axes[static_cast<std::size_t>(k)] + suffix; !has(name))
         reader.fail("there is no column '{}'; too few columns for a point in {} dimensions, and no 'vertex{}'", name,
@@ -143,14 +148,13 @@ void for_each_landmark_row(const std::string& path, const std::vector<std::strin
   if (line_of.empty()) throw_input_error("{}: holds no landmark besides its head line", path);
 }
 
+SHELLMATCH_2D_3D(for_each_landmark_row);
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                         \
   template bool LandmarkRow::is_missing<Dim>(const std::string&) const;                                     \
   template Vec<Dim> LandmarkRow::point<Dim>(const std::string&, const std::vector<Vec<Dim>>&, Space, Space, \
-                                            const PlaneFrame&) const;                                       \
-  template void for_each_landmark_row<Dim>(const std::string&, const std::vector<std::string>&, bool,       \
-                                           const std::function<void(const LandmarkRow&, const std::string&)>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
+                                            const PlaneFrame&) const;
+SHELLMATCH_INSTANTIATE(2)
+SHELLMATCH_INSTANTIATE(3)
 #undef SHELLMATCH_INSTANTIATE
 
 }  // namespace shellmatch

@@ -111,15 +111,9 @@ PairSet<Dim> landmark_pairs(const std::string& name, const std::vector<Landmark<
   return set;
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                                  \
-  template std::vector<Landmark<Dim>> exchanged<Dim>(std::vector<Landmark<Dim>>);                                    \
-  template void check_landmarks<Dim>(const std::vector<Landmark<Dim>>&, const LandmarkOptions&, const Surface<Dim>&, \
-                                     const Surface<Dim>&);                                                           \
-  template PairSet<Dim> landmark_pairs<Dim>(const std::string&, const std::vector<Landmark<Dim>>&,                   \
-                                            const LandmarkOptions&, const Similarity<Dim>&, const Similarity<Dim>&,  \
-                                            const SignedDistance<Dim>&, const SignedDistance<Dim>&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+template std::vector<Landmark<2>> exchanged(std::vector<Landmark<2>>);
+template std::vector<Landmark<3>> exchanged(std::vector<Landmark<3>>);
+SHELLMATCH_2D_3D(check_landmarks);
+SHELLMATCH_2D_3D(landmark_pairs);
 
 }  // namespace shellmatch

@@ -100,7 +100,6 @@ std::string point_sets_text(PointFormat format, const std::vector<PointSet<Dim>>
   return morphologika_text(sets, space);
 }
 
-template std::string point_sets_text<2>(PointFormat, const std::vector<PointSet<2>>&, Space);
-template std::string point_sets_text<3>(PointFormat, const std::vector<PointSet<3>>&, Space);
+SHELLMATCH_2D_3D(point_sets_text);
 
 }  // namespace shellmatch

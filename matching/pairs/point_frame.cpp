@@ -75,7 +75,6 @@ Space space_beside(const OriginalShape<Dim>& shape, const std::string& points, S
   return shape.space;
 }
 
-template Space space_beside<2>(const OriginalShape<2>&, const std::string&, Space);
-template Space space_beside<3>(const OriginalShape<3>&, const std::string&, Space);
+SHELLMATCH_2D_3D(space_beside);
 
 }  // namespace shellmatch

@@ -190,9 +190,7 @@ void write_level_picture(const LevelPicture<Dim>& picture, const std::string& pa
 
 std::string level_picture_name(int level) { return fmt::format("pictures/level_{:02d}.png", level); }
 
-template void add_distances<2>(LevelPicture<2>&, std::vector<double>, const MatchSummary&);
-template void add_distances<3>(LevelPicture<3>&, std::vector<double>, const MatchSummary&);
-template void write_level_picture<2>(const LevelPicture<2>&, const std::string&);
-template void write_level_picture<3>(const LevelPicture<3>&, const std::string&);
+SHELLMATCH_2D_3D(add_distances);
+SHELLMATCH_2D_3D(write_level_picture);
 
 }  // namespace shellmatch

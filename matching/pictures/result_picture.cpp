@@ -116,8 +116,7 @@ ResultShapes<Dim> read_result_shapes(const std::string& folder) {
   return shapes;
 }
 
-template ResultShapes<2> read_result_shapes<2>(const std::string&);
-template ResultShapes<3> read_result_shapes<3>(const std::string&);
+SHELLMATCH_2D_3D(read_result_shapes);
 
 namespace {
 
@@ -241,7 +240,6 @@ Canvas draw_result(const ResultShapes<Dim>& shapes, const ResultView& view, Canv
   return draw_panels(panels, "", 0, kind);
 }
 
-template Canvas draw_result<2>(const ResultShapes<2>&, const ResultView&, CanvasKind);
-template Canvas draw_result<3>(const ResultShapes<3>&, const ResultView&, CanvasKind);
+SHELLMATCH_2D_3D(draw_result);
 
 }  // namespace shellmatch

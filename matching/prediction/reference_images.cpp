@@ -88,7 +88,6 @@ std::optional<PredictedPose> clear_pose<3>(const ShapePair<3>& shapes, const Ref
   return found;
 }
 
-template ReferenceImages<2> read_reference_images<2>(const std::vector<std::string>&, std::size_t);
-template ReferenceImages<3> read_reference_images<3>(const std::vector<std::string>&, std::size_t);
+SHELLMATCH_2D_3D(read_reference_images);
 
 }  // namespace shellmatch

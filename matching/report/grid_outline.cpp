@@ -64,7 +64,6 @@ GridOutline<Dim> grid_outline(const Octree<Dim>& grid, std::size_t most_corners)
   }
 }
 
-template GridOutline<2> grid_outline(const Octree<2>&, std::size_t);
-template GridOutline<3> grid_outline(const Octree<3>&, std::size_t);
+SHELLMATCH_2D_3D(grid_outline);
 
 }  // namespace shellmatch

@@ -120,12 +120,7 @@ void write_report(const MatchResult<Dim>& result, const ExperimentOptions& optio
   write_file(path, report_html(result, options, picture));
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                           \
-  template std::string report_html<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, std::string_view); \
-  template void write_report<Dim>(const MatchResult<Dim>&, const ExperimentOptions&, std::string_view,        \
-                                  const std::string&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(report_html);
+SHELLMATCH_2D_3D(write_report);
 
 }  // namespace shellmatch

@@ -113,7 +113,6 @@ SurfaceFigures surface_figures(const MatchResult<Dim>& result, std::size_t enoug
   return figures;
 }
 
-template SurfaceFigures surface_figures(const MatchResult<2>&, std::size_t);
-template SurfaceFigures surface_figures(const MatchResult<3>&, std::size_t);
+SHELLMATCH_2D_3D(surface_figures);
 
 }  // namespace shellmatch

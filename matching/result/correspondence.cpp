@@ -1,6 +1,5 @@
 #include "matching/result/correspondence.h"
 
-#include "base/instantiate.h"
 #include "base/error.h"
 #include "base/printable.h"
 #include "geometry/io/input_file.h"

@@ -1,6 +1,5 @@
 #include "matching/result/deformed_shape.h"
 
-#include "base/instantiate.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"

@@ -1,6 +1,5 @@
 #include "matching/result/figures.h"
 
-#include "base/instantiate.h"
 #include "geometry/distance/distortion.h"
 #include "geometry/distance/measured_parts.h"
 #include "geometry/distance/surface_distance.h"

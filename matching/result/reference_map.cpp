@@ -71,8 +71,7 @@ std::vector<Vec<Dim>> nearest_normals(const Surface<Dim>& surface, std::span<con
 
 template class InverseCarrier<2>;
 template class InverseCarrier<3>;
-template std::vector<Vec<2>> nearest_normals(const Surface<2>&, std::span<const Vec<2>>);
-template std::vector<Vec<3>> nearest_normals(const Surface<3>&, std::span<const Vec<3>>);
+SHELLMATCH_2D_3D(nearest_normals);
 
 template <int Dim>
 std::vector<Vec<Dim>> ReferenceMap<Dim>::carried(std::vector<Vec<Dim>> points, const Deformation<Dim>& frame,

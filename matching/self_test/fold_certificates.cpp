@@ -1,7 +1,5 @@
 #include "matching/self_test/self_test.h"
 
-#include "base/instantiate.h"
-
 #include <Eigen/LU>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 #include "matching/self_test/self_test.h"
 
-#include "base/instantiate.h"
 #include "energies/densities/thin_shell.h"
 #include "geometry/distance/signed_distance.h"
 #include "geometry/repair/make_shape.h"

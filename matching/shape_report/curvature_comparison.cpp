@@ -197,8 +197,8 @@ CurvatureComparison<Dim> compare_curvatures(const Shape<Dim>& shape, const std::
   return result;
 }
 
+SHELLMATCH_2D_3D(principal_curvature);
 #define SHELLMATCH_INSTANTIATE(Dim)                                                                                   \
-  template PrincipalCurvature<Dim> principal_curvature<Dim>(const Mat<Dim>&, const Vec<Dim>&);                        \
   template CurvatureErrors compare_curvatures<Dim>(const Curvatures<Dim>&, const Curvatures<Dim>&, double);           \
   template CurvatureComparison<Dim> compare_curvatures<Dim>(const Shape<Dim>&, const std::optional<ExactShape<Dim>>&, \
                                                             const ExperimentOptions&, const MeshFit&,                 \

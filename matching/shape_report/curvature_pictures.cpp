@@ -182,11 +182,7 @@ void write_curvature_picture(const CurvatureComparison<Dim>& c, const std::strin
   write_png(compose_panels(panels, title, 3), path);
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                                \
-  template void write_curvature_scatter<Dim>(const CurvatureComparison<Dim>&, const std::string&); \
-  template void write_curvature_picture<Dim>(const CurvatureComparison<Dim>&, const std::string&, const std::string&);
-SHELLMATCH_INSTANTIATE(2)
-SHELLMATCH_INSTANTIATE(3)
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(write_curvature_scatter);
+SHELLMATCH_2D_3D(write_curvature_picture);
 
 }  // namespace shellmatch

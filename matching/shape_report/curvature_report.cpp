@@ -74,7 +74,6 @@ std::string curvature_text(const CurvatureComparison<Dim>& c, const CurvatureSub
   return text;
 }
 
-template std::string curvature_text<2>(const CurvatureComparison<2>&, const CurvatureSubject&);
-template std::string curvature_text<3>(const CurvatureComparison<3>&, const CurvatureSubject&);
+SHELLMATCH_2D_3D(curvature_text);
 
 }  // namespace shellmatch

@@ -165,7 +165,6 @@ std::string inspection_text(const Inspection& r) {
   return text;
 }
 
-template Inspection inspect_shape<2>(const Shape<2>&);
-template Inspection inspect_shape<3>(const Shape<3>&);
+SHELLMATCH_2D_3D(inspect_shape);
 
 }  // namespace shellmatch

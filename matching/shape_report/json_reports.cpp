@@ -50,8 +50,7 @@ std::string curvature_json(const CurvatureComparison<Dim>& c, const CurvatureSub
   return json_text(json);
 }
 
-template std::string curvature_json<2>(const CurvatureComparison<2>&, const CurvatureSubject&);
-template std::string curvature_json<3>(const CurvatureComparison<3>&, const CurvatureSubject&);
+SHELLMATCH_2D_3D(curvature_json);
 
 std::string inspection_json(const Inspection& r) {
   Json json;

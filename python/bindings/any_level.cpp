@@ -89,11 +89,6 @@ std::unique_ptr<AnyLevel> make_level(ShapePair<Dim> shapes, std::vector<Landmark
                                         observer);
 }
 
-#define SHELLMATCH_INSTANTIATE(Dim)                                                              \
-  template std::unique_ptr<AnyLevel> make_level<Dim>(ShapePair<Dim>, std::vector<Landmark<Dim>>, \
-                                                     const ExperimentOptions&, int, bool, Observer&)
-SHELLMATCH_INSTANTIATE(2);
-SHELLMATCH_INSTANTIATE(3);
-#undef SHELLMATCH_INSTANTIATE
+SHELLMATCH_2D_3D(make_level);
 
 }  // namespace shellmatch::python

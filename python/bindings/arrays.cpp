@@ -31,8 +31,7 @@ std::vector<Vec<Dim>> points_of(const Doubles& rows, const std::string& name) {
   return points;
 }
 
-template std::vector<Vec<2>> points_of<2>(const Doubles&, const std::string&);
-template std::vector<Vec<3>> points_of<3>(const Doubles&, const std::string&);
+SHELLMATCH_2D_3D(points_of);
 
 std::vector<std::vector<Index>> polygons_of(const Integers& rows, std::size_t n_vertices, const std::string& name) {
   if (rows.ndim() != 2) throw_input_error("{}: expected an array of two axes", name);

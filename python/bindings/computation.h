@@ -36,8 +36,7 @@ void throw_kept_error();
 
 /// body() within a Computation. Where Python code that it called has raised, that error goes on from here,
 /// whatever became of body().
-template <class Body>
-auto compute(Body&& body) {
+auto compute(auto&& body) {
   try {
     if constexpr (std::is_void_v<decltype(body())>) {
       {
@@ -60,8 +59,7 @@ auto compute(Body&& body) {
 }
 
 /// compute(body) of a matching. \throws MemoryError with what needs less memory, where there is not enough
-template <class Body>
-auto compute_matching(Body&& body) {
+auto compute_matching(auto&& body) {
   try {
     return compute(body);
   } catch (const std::bad_alloc&) {

@@ -176,9 +176,6 @@ std::vector<Landmark<Dim>> landmarks_of(const GivenLandmarks& given, const Exper
   return landmarks;
 }
 
-template std::vector<Landmark<2>> landmarks_of<2>(const GivenLandmarks&, const ExperimentOptions&, const ShapePair<2>&,
-                                                  Observer&);
-template std::vector<Landmark<3>> landmarks_of<3>(const GivenLandmarks&, const ExperimentOptions&, const ShapePair<3>&,
-                                                  Observer&);
+SHELLMATCH_2D_3D(landmarks_of);
 
 }  // namespace shellmatch::python

@@ -50,8 +50,7 @@ class Problem {
   }
 
   /// body(level), with no other evaluation meanwhile.
-  template <class Body>
-  auto use(Body&& body) {
+  auto use(auto&& body) {
     return compute_matching([&] {
       if (is_used_)
         throw_input_error(

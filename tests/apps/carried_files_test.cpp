@@ -87,6 +87,8 @@ TEST_F(CarriedFiles, PointsGoOutInTheFormatOfTheName) {
     EXPECT_EQ(file.points[1].space, Space::lps);
   }
   EXPECT_TRUE(has(apply("p.csv", "q.tps"), "without the names of points"));
+  put(tmp / "n.csv", "x,y,z\n0.3,0.6,0.7\n");
+  EXPECT_FALSE(has(apply("n.csv", "n.tps"), "names of points")) << "it has none";
   EXPECT_EQ(contents_of(tmp / "q.tps"),
             fmt::format("LM3=2\n{} {} {}\n{} {} {}\nID=q\nCOMMENT=SPACE=LPS\n", moved[0].x(), moved[0].y(),
                         moved[0].z(), moved[1].x(), moved[1].y(), moved[1].z()));

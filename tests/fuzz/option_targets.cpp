@@ -26,8 +26,7 @@ struct Some {
   std::string text;
   std::vector<double> list;
   Colour colour = Colour::red;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("flag", self.flag, {.meaning = "a flag"});
     visit("number", self.number, {.min = 0, .max = 9, .meaning = "a number"});
     visit("value", self.value, {.min = 0, .meaning = "a value"});
@@ -40,8 +39,7 @@ struct Some {
 struct Options {
   int version = 1;
   Some some;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("version", self.version, {.min = 1, .meaning = "a version"});
     visit("some", self.some, {.meaning = "a section"});
   }

@@ -1,6 +1,5 @@
 #include "apps/cohorts/execution/atlas.h"
 
-#include "base/instantiate.h"
 #include "apps/cohorts/subjects/point_file.h"
 #include "base/error.h"
 #include "geometry/distance/surface_distance.h"

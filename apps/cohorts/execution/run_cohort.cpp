@@ -171,6 +171,10 @@ class CohortRun {
   void close(const Stage& stage, const Atlas<Dim>& atlas, const std::vector<RunTask>& tasks, const RunsFolder& runs,
              const std::string& results) {
     const StageResult<Dim> matched = read_stage<Dim>(cohort_, stage, runs, tasks, atlas, landmark_files());
+    if (matched.rows.empty() && std::ranges::all_of(matched.subjects, lacks_memory))
+      throw MemoryError(
+          fmt::format("{}: {}: no subject can be used for the mean, since all ended at their limit of memory",
+                      folder_.path(), stage.name()));
     if (matched.rows.empty())
       throw_input_error("{}: {}: no subject can be used for the mean; the first, {}: {}{}", folder_.path(),
                         stage.name(), matched.subjects.front().id, matched.subjects.front().outcome,

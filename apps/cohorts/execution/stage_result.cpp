@@ -1,6 +1,5 @@
 #include "apps/cohorts/execution/stage_result.h"
 
-#include "base/instantiate.h"
 #include "base/error.h"
 #include "geometry/io/picture_height.h"
 #include "geometry/io/read_shape.h"

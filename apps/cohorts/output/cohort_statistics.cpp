@@ -1,6 +1,5 @@
 #include "apps/cohorts/output/cohort_statistics.h"
 
-#include "base/instantiate.h"
 #include "base/error.h"
 
 #include <algorithm>

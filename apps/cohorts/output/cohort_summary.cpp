@@ -1,6 +1,5 @@
 #include "apps/cohorts/output/cohort_summary.h"
 
-#include "base/instantiate.h"
 #include "matching/progress/process_info.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "apps/cohorts/output/cohort_tables.h"
 
-#include "base/instantiate.h"
 #include "base/text.h"
 #include "apps/cohorts/report/worst_first.h"
 #include "geometry/mesh_text/read_text.h"

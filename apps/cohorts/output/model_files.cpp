@@ -1,6 +1,5 @@
 #include "apps/cohorts/output/model_files.h"
 
-#include "base/instantiate.h"
 #include "apps/cohorts/output/npy_file.h"
 #include "apps/cohorts/report/shown_shapes.h"
 #include "base/replace_file.h"

@@ -1,6 +1,5 @@
 #include "apps/cohorts/output/write_cohort.h"
 
-#include "base/instantiate.h"
 #include "base/replace_file.h"
 #include "apps/cohorts/execution/kept_results.h"
 #include "apps/cohorts/output/cohort_statistics.h"

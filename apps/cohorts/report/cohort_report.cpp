@@ -1,6 +1,5 @@
 #include "apps/cohorts/report/cohort_report.h"
 
-#include "base/instantiate.h"
 #include "apps/cohorts/report/cohort_description.h"
 #include "apps/cohorts/report/cohort_page.h"
 #include "apps/cohorts/report/shown_shapes.h"

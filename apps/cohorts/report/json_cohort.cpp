@@ -1,6 +1,5 @@
 #include "apps/cohorts/report/cohort_description.h"
 
-#include "base/instantiate.h"
 #include "base/options.h"
 #include "matching/report/json_page.h"
 

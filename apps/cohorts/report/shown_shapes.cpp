@@ -1,6 +1,5 @@
 #include "apps/cohorts/report/shown_shapes.h"
 
-#include "base/instantiate.h"
 #include "base/error.h"
 #include "matching/render/canvas/canvas.h"
 #include "matching/render/surfaces/surfaces.h"

@@ -19,7 +19,6 @@ void write_named_points(const std::string& path, const std::vector<NamedPoint<Di
   replace_file(path, text);
 }
 
-template void write_named_points<2>(const std::string&, const std::vector<NamedPoint<2>>&);
-template void write_named_points<3>(const std::string&, const std::vector<NamedPoint<3>>&);
+SHELLMATCH_2D_3D(write_named_points);
 
 }  // namespace shellmatch

@@ -16,8 +16,7 @@ namespace shellmatch {
 
 /// A section whose keys are names chosen by the user.
 struct FreeSection {
-  template <class Self, class Visitor>
-  static void describe(Self&, Visitor&) {}
+  static void describe(auto&, auto&) {}
 };
 
 /// Reads the parts of such a file. Every message begins with file, line and key.

@@ -21,8 +21,7 @@ struct StudyOptions {
   int repeats = 1;
   RunLimits limits;
   FreeSection set, problems, solvers, metrics, parameters;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("version", self.version, {.min = 1, .meaning = "of the form of this file; 1"});
     visit("title", self.title, {.meaning = "heading of the summary"});
     visit("folder", self.folder,

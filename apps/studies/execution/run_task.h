@@ -11,8 +11,7 @@ namespace shellmatch {
 /// Limits of one run. A run that exceeds them is ended, which is then its result.
 struct RunLimits {
   double seconds = 600, grace_seconds = 5, memory_mb = 0;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("seconds", self.seconds, {.unit = "seconds", .min = 0, .meaning = "wall time of one run; 0 means none"});
     visit("grace_seconds", self.grace_seconds,
           {.unit = "seconds",

@@ -172,6 +172,7 @@ std::vector<Image> render_looks(std::span<const std::vector<RenderSurface>> look
           for (std::size_t l = 0, k = 0; l < looks.size(); ++l) {
             const bool is_varied = k < varied.size() && varied[k] == l;
             const Vec<3> light = is_varied ? Vec<3>(sums[k++] / (n_samples * n_samples)) : centre(l, column, row);
+            if (light == background) continue;
             images[l].set(column, row,
                           {srgb_from_linear(light[0]), srgb_from_linear(light[1]), srgb_from_linear(light[2])});
           }

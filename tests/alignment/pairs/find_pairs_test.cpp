@@ -316,6 +316,8 @@ TEST(FindPairs, TellWhetherTheMirroredReferenceFits) {
     return fits_mirrored(*found.spectra[0], *found.spectra[1], quick(), 0.3, most_order);
   };
   EXPECT_TRUE(fits(other, other.candidates[0].order / 3));
+  EXPECT_GT(other.mirrored_gain, 3);
+  EXPECT_LT(same.mirrored_gain, 0.3);
   EXPECT_FALSE(fits(same, other.candidates[0].order / 3));
   EXPECT_FALSE(fits(other, 0));
 }

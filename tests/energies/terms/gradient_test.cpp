@@ -66,8 +66,7 @@ struct Gradient : ::testing::Test {
 
   // Calls body(problem, phi, term) for every term of the list, with other options than the defaults, and every boundary
   // condition.
-  template <class Body>
-  void for_each_term(const CoefficientFields<Dim>& target, double amplitude, Body&& body) const {
+  void for_each_term(const CoefficientFields<Dim>& target, double amplitude, auto&& body) const {
     for (const auto boundary : {BoundaryCondition::neumann, BoundaryCondition::dirichlet})
       for (const TermInfo& info : all_term_infos) {
         SCOPED_TRACE(fmt::format("{} {}, {}", info.name, info.model, enum_name(boundary)));

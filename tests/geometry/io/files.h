@@ -48,8 +48,7 @@ class TempFolder {
 };
 
 /// The text of the InputError that `body` throws; empty where it throws none.
-template <class Body>
-std::string input_error_of(Body&& body) {
+std::string input_error_of(auto&& body) {
   try {
     body();
   } catch (const InputError& error) {

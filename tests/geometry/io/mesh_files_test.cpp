@@ -80,6 +80,10 @@ TEST(MeshFiles, OffHeadersAndColours) {
   ASSERT_EQ(shape.original.attributes.size(), 4u);
   EXPECT_EQ(shape.original.attributes[0].type, "uchar");
   EXPECT_EQ(shape.original.attributes[0].values[5], 50);
+  EXPECT_FALSE(has_note(shape, "faces dropped"));
+  std::string red = text;
+  red.replace(red.find("4 0 2 3 1"), 9, "4 0 2 3 1 255 0 0");
+  EXPECT_TRUE(has_note(read_mesh(folder.write("c.off", red)), "colours of faces dropped"));
 }
 
 TEST(MeshFiles, OffErrorsNameTheLine) {
@@ -205,6 +209,8 @@ TEST(MeshFiles, StlIsWeldedAndItsSizeChecked) {
   EXPECT_EQ(shape.surface.vertices.size(), 8u);
   EXPECT_EQ(shape.original.vertices.size(), 8u);
   EXPECT_NEAR(volume(shape.surface), 1, 1e-15);
+  EXPECT_FALSE(has_note(shape, "read as one shape"));
+  EXPECT_TRUE(has_note(read_mesh(folder.write("two.stl", text + text)), "2 solids read as one shape"));
   EXPECT_TRUE(contains(message(folder, "a.stl", text.substr(0, text.rfind("endsolid"))), "cut off"));
   EXPECT_TRUE(contains(message(folder, "a.stl", text.substr(0, text.size() / 2)), "line"));
   const std::string of_empty = message(folder, "a.stl", "solid a\nendsolid a\n");

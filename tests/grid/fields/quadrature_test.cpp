@@ -88,15 +88,5 @@ TEST(Bump, IsEvenAndSupportedInTheBand) {
   EXPECT_DOUBLE_EQ(bump(0, sigma), bump_constant / sigma * std::exp(-1.0));
 }
 
-TEST(Bump, DerivativeAgreesWithDifferences) {
-  const double sigma = 0.3;
-  for (double t = -0.29; t < 0.3; t += 0.013) {
-    const double step = 1e-5;
-    EXPECT_NEAR((bump(t + step, sigma) - bump(t - step, sigma)) / (2 * step), bump_derivative(t, sigma), 1e-5);
-  }
-  EXPECT_EQ(bump_derivative(0.3, sigma), 0);
-  EXPECT_EQ(bump_derivative(std::nextafter(0.3, 0.0), sigma), 0) << "and no not-a-number";
-}
-
 }  // namespace
 }  // namespace shellmatch

@@ -25,8 +25,7 @@ struct Inner {
   bool flag = false;
   std::vector<int> counts = {1, 2};
   std::vector<Colour> colours;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("flag", self.flag, {.meaning = "a flag"});
     visit("counts", self.counts, {.min = 0, .max = 9, .meaning = "some counts"});
     visit("colours", self.colours, {.meaning = "some colours"});
@@ -39,8 +38,7 @@ struct Outer {
   std::string file;
   Colour colour = Colour::red;
   Inner inner;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor& visit) {
+  static void describe(auto& self, auto& visit) {
     visit("count", self.count, {.unit = "things", .min = 1, .max = 5, .meaning = "a count"});
     visit("length", self.length, {.unit = "length", .min = 0, .min_excluded = true, .meaning = "a length"});
     visit("file", self.file, {.meaning = "a file"});

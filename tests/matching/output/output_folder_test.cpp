@@ -56,6 +56,22 @@ TEST(OutputFolderTest, WithoutCommitNothingIsLeftNotEvenParents) {
   EXPECT_EQ(tmp.entries(), (Names{"a", "a/b", "a/b/run", "a/b/run/files.json", "a/b/run/x"}));
 }
 
+TEST(OutputFolderTest, InputsThatARunWouldReplaceAreRefused) {
+  const TemporaryFolder tmp;
+  write_output(tmp / "run", {"deformed.ply", "pictures/x.png"});
+  put(tmp / "run.ply", "beside it");
+  std::filesystem::create_directory_symlink(tmp / "run", tmp / "link");
+  const auto message = [&](const std::string& folder, const std::string& input) {
+    const std::string inputs[] = {"", tmp / "nothing", input};
+    return message_of<InputError>([&] { check_inputs_outlive(folder, inputs); });
+  };
+  for (const char* inside : {"run/deformed.ply", "run/pictures/x.png", "link/deformed.ply", "run"})
+    EXPECT_TRUE(message(tmp / "run", tmp / inside).starts_with(tmp / inside)) << inside;
+  EXPECT_NE(message(tmp / "link/", tmp / "run/deformed.ply"), "");
+  EXPECT_EQ(message(tmp / "run", tmp / "run.ply"), "");
+  EXPECT_EQ(message(tmp / "other", tmp / "run/deformed.ply"), "");
+}
+
 TEST(OutputFolderTest, AFilledFolderIsReplacedOnlyByForceAndOnlyAtCommit) {
   const TemporaryFolder tmp;
   write_output(tmp / "run", {"summary.json", "deformed.ply"});

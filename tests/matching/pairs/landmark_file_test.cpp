@@ -96,6 +96,7 @@ TEST_F(LandmarkFile, SaysWhatIsWrongAndWhere) {
   expect_refused("a.csv, line 1", "unknown column 'x'", "name,x,y,z\na,1,2,3\n");
   expect_refused("a.csv, line 1", "two columns are named 'x1'", "x1,x1,y1,z1,x2,y2,z2\n");
   expect_refused("a.csv, line 1", "'weight' and 'sd' exclude each other", "vertex1,vertex2,sd,weight\n0,0,1,1\n");
+  expect_refused("a.csv, line 1", "'vertex1' and 'x1' exclude each other", "vertex1,x1,y1,z1,vertex2\n0,1,2,3,0\n");
   expect_refused("a.csv, line 3", "6 values where the head line has 7 columns", head + "a,1,2,3,4,5,6\nb,1,2,3,4,5\n");
   expect_refused("a.csv, line 2", "y2 is 'five'; expected a number", head + "a,1,2,3,4,five,6\n");
   expect_refused("a.csv, line 2", "x1 is 'nan'; expected a number", head + "a,nan,2,3,4,5,6\n");

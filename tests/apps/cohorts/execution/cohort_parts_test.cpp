@@ -70,6 +70,16 @@ TEST_F(CohortProgram, ALimitOrTitleOpensNoRoundAgain) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/runs/e1")) << "the last stage: " << part.err;
 }
 
+TEST_F(CohortProgram, ALimitOfMemoryThatNoSubjectKeepsEndsIt) {
+  for (const char* atlas : {"{kind: mean, rounds: 1}", "{kind: given, shape: e1.csv}"}) {
+    const std::string file = write_cohort(2, atlas);
+    const ProgramResult ended = cohort({file, "-o", "small", "-q", "--max-memory", "2MB"});
+    EXPECT_EQ(ended.exit_code, 4) << ended.err;
+    EXPECT_TRUE(has(ended.err, "--max-memory 2MB does not suffice: ")) << ended.err;
+    std::filesystem::remove_all(folder_ / "small");
+  }
+}
+
 TEST_F(CohortProgram, AMedoidThatIsNoLongerASubjectIsNamed) {
   const std::string file = write_cohort(3, "{kind: medoid, shape: e1}");
   ASSERT_EQ(cohort({file, "-o", "out", "-q"}).exit_code, 0);
