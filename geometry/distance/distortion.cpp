@@ -95,6 +95,13 @@ std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surfa
 }
 
 template <int Dim>
+std::vector<double> turned_directions(const Surface<Dim>& reference, const Surface<Dim>& deformed) {
+  std::vector<double> degrees = angle_distortions(reference, deformed);
+  for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
+  return degrees;
+}
+
+template <int Dim>
 std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance<Dim>& template_distance) {
   std::vector<char> away(deformed.facets.size());
   parallel_chunks(deformed.facets.size(), 256, [&](const Chunk& chunk) {
@@ -115,6 +122,7 @@ std::vector<char> facing_away(const Surface<Dim>& deformed, const SignedDistance
 SHELLMATCH_2D_3D(facet_measure_ratios);
 SHELLMATCH_2D_3D(vertex_measure_ratios);
 SHELLMATCH_2D_3D(angle_distortions);
+SHELLMATCH_2D_3D(turned_directions);
 SHELLMATCH_2D_3D(facing_away);
 
 }  // namespace shellmatch

@@ -30,6 +30,11 @@ std::vector<Stretch> principal_stretches(const Surface<3>& reference, const Surf
 template <int Dim>
 std::vector<double> angle_distortions(const Surface<Dim>& reference, const Surface<Dim>& deformed);
 
+/// Largest turn of a direction in each facet against the principal ones, in degrees: 2 atan(sqrt(s1 / s2)) - 90, half
+/// of Tissot's maximum. 0 in the plane.
+template <int Dim>
+std::vector<double> turned_directions(const Surface<Dim>& reference, const Surface<Dim>& deformed);
+
 /// Whether a facet's normal forms an angle of more than 90 degrees with that of the template's facet nearest to its
 /// centre: one entry for each facet, 0 or 1.
 template <int Dim>

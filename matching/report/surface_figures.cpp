@@ -84,12 +84,7 @@ SurfaceFigures surface_figures(const MatchResult<Dim>& result, std::size_t enoug
   for (std::vector<double>* lengths : {&figures.distance_to_template, &figures.distance_to_deformed})
     for (double& d : *lengths) d *= unit;
   figures.measure_ratio = vertex_measure_ratios(reference, deformed);
-  if constexpr (Dim == 3) {
-    // As the summary's (matching/result/figures.cpp): 2 atan(sqrt(s1/s2)) - 90 degrees.
-    std::vector<double> degrees = angle_distortions(reference, deformed);
-    for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
-    figures.angle_change = at_vertices(reference, degrees);
-  }
+  if constexpr (Dim == 3) figures.angle_change = at_vertices(reference, turned_directions(reference, deformed));
   // Nothing holds the map where a shape has no data.
   for (std::vector<double>* values : {&figures.measure_ratio, &figures.angle_change})
     for (std::size_t v = 0; v < values->size(); ++v)

@@ -113,13 +113,7 @@ void add_distortion(MatchSummary& summary, const Surface<Dim>& reference, const 
                              shares.empty() ? nan : shares.back().first, quantile_of(0.05), quantile_of(0.95)};
   };
   summary.area_distortion = weighted(facet_measure_ratios(reference, deformed));
-  if constexpr (Dim == 3) {
-    // Largest turn of a direction against the principal ones under stretches s1 >= s2: 2 atan(sqrt(s1/s2)) - 90
-    // degrees, half of Tissot's maximum.
-    std::vector<double> degrees = angle_distortions(reference, deformed);
-    for (double& a : degrees) a = (2 * std::atan(std::sqrt(a)) - std::acos(0.0)) * 90 / std::acos(0.0);
-    summary.angle_distortion = weighted(degrees);
-  }
+  if constexpr (Dim == 3) summary.angle_distortion = weighted(turned_directions(reference, deformed));
   const std::vector<char> flipped = facing_away(deformed, template_distance);
   double area = 0, flipped_area = 0;
   for (std::size_t f = 0; f < flipped.size(); ++f) {

@@ -22,7 +22,7 @@ TEST(Distortion, OfALinearMapIsThatOfItsRestrictionToTheTangentPlanes) {
   const Surface<3> image = mapped<3>(sphere, [](const Vec<3>& x) { return Vec<3>(linear_map * x); });
   const auto ratios = facet_measure_ratios(sphere, image);
   const auto stretches = principal_stretches(sphere, image);
-  const auto angles = angle_distortions(sphere, image);
+  const auto angles = angle_distortions(sphere, image), turns = turned_directions(sphere, image);
   const Mat<3> cofactor = linear_map.determinant() * linear_map.inverse().transpose();
   for (std::size_t f = 0; f < sphere.facets.size(); ++f) {
     const Vec<3> n = facet_normal(sphere, static_cast<Index>(f)).normalized();
@@ -32,6 +32,10 @@ TEST(Distortion, OfALinearMapIsThatOfItsRestrictionToTheTangentPlanes) {
     EXPECT_NEAR(stretches[f].s1, singular_values[0], 1e-13);
     EXPECT_NEAR(stretches[f].s2, singular_values[1], 1e-13);
     EXPECT_NEAR(angles[f], singular_values[0] / singular_values[1], 1e-12);
+    // The direction that turns most lies between the principal ones: tan^2 of its angle is s2 / s1 before, s1 / s2
+    // after.
+    const double before = std::atan(std::sqrt(1 / angles[f])), after = std::atan(angles[f] * std::sqrt(1 / angles[f]));
+    EXPECT_NEAR(turns[f] * std::acos(-1) / 180, after - before, 1e-12);
   }
 }
 

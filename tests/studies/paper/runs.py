@@ -41,7 +41,7 @@ class Results:
         pictures = "none" if not drawn or profile != "paper" else "all" if len(drawn) > 1 else "result"
         # Coverage is not the paper's: without it both profiles minimise what the claims are about.
         words = ["--levels", f"{low}:{high}", "--profile", profile, "--set", "coverage.levels=0", *more]
-        for change in [f"pictures={pictures}", "report=false", *changes]:
+        for change in [f"pictures={pictures}", "report=true", *changes]:
             words += ["--set", change]
         made_by = {"configuration": fingerprint(root / "configs/paper" / f"{config}.yaml"),
                    "program": fingerprint(self.arguments.program), "arguments": words}
