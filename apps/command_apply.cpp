@@ -223,9 +223,7 @@ void apply(const ApplyCommand& command) {
   if (point_format(command.output) != PointFormat::none) {
     return write_points(command, named_vertices(shape), shape.space == Space::unsaid ? deformation.space : shape.space);
   }
-  if constexpr (Dim == 3)
-    if (const std::vector<std::string> lost = left_out(command.output, shape); !lost.empty())
-      say_line(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
+  if constexpr (Dim == 3) say_what_is_left_out(command.output, shape);
   write_output_file(command.output, shape, command.force);
 }
 

@@ -6,10 +6,7 @@
 #include "apps/terminal/words.h"
 #include "base/error.h"
 #include "geometry/generate/generate_shape.h"
-#include "geometry/io/write_shape.h"
 #include "matching/experiment/generated_source.h"
-
-#include <fmt/ranges.h>
 
 #include <iostream>
 
@@ -74,9 +71,7 @@ void execute(const GenerateCommand& command) {
   const double edge_length = command.edge_length.empty() ? 0 : number(command.edge_length, "--edge-length");
   const auto shape = generate_shape(name, variant, edge_length, parameters_of(command));
   const auto write = [&]<int Dim>(const OriginalShape<Dim>& s) {
-    if constexpr (Dim == 3)
-      if (const std::vector<std::string> lost = left_out(command.output, s); !lost.empty())
-        say_line(fmt::format("{}: without {}, which this format does not hold", command.output, fmt::join(lost, ", ")));
+    if constexpr (Dim == 3) say_what_is_left_out(command.output, s);
     write_output_file(command.output, s, command.force);
   };
   std::visit(write, shape);

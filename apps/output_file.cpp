@@ -1,5 +1,6 @@
 #include "apps/output_file.h"
 
+#include "apps/terminal/words.h"
 #include "base/error.h"
 #include "geometry/io/write_shape.h"
 
@@ -47,6 +48,11 @@ void write_output_file(const std::string& path, const OriginalShape<2>& shape, b
 
 void write_output_file(const std::string& path, const OriginalShape<3>& shape, bool force) {
   write_shape(path, shape, existing_file(force));
+}
+
+void say_what_is_left_out(const std::string& path, const OriginalShape<3>& shape) {
+  if (const std::vector<std::string> lost = left_out(path, shape); !lost.empty())
+    say_line(fmt::format("{}: without {}, which this format does not hold", path, fmt::join(lost, ", ")));
 }
 
 void write_report_file(const std::string& path, const std::string& text, bool force) {

@@ -21,6 +21,9 @@ void check_report_file(const std::string& path, bool force);
 void write_output_file(const std::string& path, const OriginalShape<2>& shape, bool force);
 void write_output_file(const std::string& path, const OriginalShape<3>& shape, bool force);
 
+/// Says in a line what the format of the file's extension does not hold of a shape, if anything.
+void say_what_is_left_out(const std::string& path, const OriginalShape<3>& shape);
+
 /// The same for a report. \throws as write_output_file
 void write_report_file(const std::string& path, const std::string& text, bool force);
 

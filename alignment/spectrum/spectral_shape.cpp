@@ -32,7 +32,6 @@ namespace {
 // come near, and draws points to where they belong: on 120 pairs of bodies maps err 6 % less than with the larger
 // alone.
 constexpr double spin_radii[] = {0.2, 0.1};
-constexpr std::size_t n_most_tips = 7;  // 130 thousand ways to match them
 
 /// A vertex that depends on the shape alone, not on the order of its vertices or its position.
 Index extreme_vertex(const LaplacianEigenpairs& pairs) {
@@ -70,7 +69,7 @@ SpectralShape make_spectral_shape(Surface<3> surface, const AlignmentOptions& op
   Rows3 normals = vertex_normals(surface.facets, coordinates);
   Eigen::MatrixXd signature = wave_kernel_signature(pairs, laplacian.mass, 50);
   Eigen::MatrixXf spin = spin_images(surface, laplacian, spin_radii);
-  std::vector<SurfaceTip> tips = surface_tips(graph, samples, n_most_tips);
+  std::vector<SurfaceTip> tips = surface_tips(graph, samples);
   return {std::move(surface), std::move(graph),        std::move(laplacian.mass), pairs.values,
           pairs.functions,    std::move(coefficients), std::move(normals),        std::move(signature),
           std::move(spin),    std::move(samples),      std::move(tips),           centre,

@@ -22,13 +22,17 @@ struct SurfaceTip {
 /// Samples to which surface_tips() measures distances.
 inline constexpr std::size_t n_tip_samples = 50;
 
+/// There are 130 thousand ways to match as many tips.
+inline constexpr std::size_t n_most_tips = 7;
+
 /// The most prominent tips of a connected surface of area 1, at most n of them, descending by their prominence. Of tips
 /// near each other, such as a heel and toes, the most prominent one stands for all.
 /// After M. Hilaga, Y. Shinagawa, T. Kohmura and T. Kunii, 'Topology matching for fully automatic similarity estimation
 /// of 3D shapes', SIGGRAPH 2001 (mean distances), and H. Edelsbrunner, D. Letscher and A. Zomorodian, 'Topological
 /// persistence and simplification', 2002. \param samples vertices well spread over the surface, of which the first
 /// n_tip_samples count
-std::vector<SurfaceTip> surface_tips(const EdgeGraph& graph, std::span<const Index> samples, std::size_t n = 7);
+std::vector<SurfaceTip> surface_tips(const EdgeGraph& graph, std::span<const Index> samples,
+                                     std::size_t n = n_most_tips);
 
 /// Of each tip the one that corresponds to it by the surface's own bilateral symmetry: itself where it lies on the
 /// plane of symmetry, where its twin is no tip, and where there is no symmetry. Only distances between tips count, so

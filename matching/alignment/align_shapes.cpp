@@ -1,6 +1,7 @@
 #include "matching/alignment/align_shapes.h"
 
 #include "alignment/clear_margin.h"
+#include "alignment/functional_map/map_search.h"
 #include "alignment/functional_map/two_way_map.h"
 #include "base/error.h"
 #include "matching/alignment/choose_pose.h"
@@ -41,11 +42,9 @@ struct Outcome {
 // that are clearly better mirrored, a turn to the other side, as of what is mirrored and thin, or no map that is nearly
 // isometric.
 constexpr double strange_turn = 120;  // degrees
-// Shapes with two like sides have gains of 0.9 to 1.05, a hand beside that of another person 0.1 and mirrored 6.5.
-constexpr double strange_gain = 1.5;
 
 bool is_worth_mirroring(const StartSearch<3>& search, const Start<3>& best, const StartChoice& choice) {
-  return best.is_usable() && (search.mirrored_gain > strange_gain || choice.is_doubtful || choice.as_it_lies ||
+  return best.is_usable() && (search.mirrored_gain > telling_gain || choice.is_doubtful || choice.as_it_lies ||
                               angle_in_degrees<3>(best.alignment.pose.rotation) > strange_turn);
 }
 

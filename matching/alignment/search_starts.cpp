@@ -1,5 +1,6 @@
 #include "matching/alignment/search_starts.h"
 
+#include "alignment/functional_map/map_search.h"
 #include "alignment/functional_map/two_way_map.h"
 #include "alignment/outline/find_outline_pairs.h"
 #include "alignment/pairs/find_pairs.h"
@@ -24,7 +25,7 @@ namespace {
 // Pairs of outlines are off by 0.010 to 0.023 diagonals (docs/alignment.md).
 constexpr double outline_spread = 2;
 
-// How much better the mirrored reference has to fit before the run speaks of it.
+// How much better the mirrored reference has to fit before the run speaks of it, where first maps do not tell.
 constexpr double far_better = 3;
 
 // So many landmarks halve the part of the pairs' errors that exceeds those of nearly isometric shapes.
@@ -171,8 +172,9 @@ StartSearch<3> search_whole_starts(const ShapePair<3>& shapes, const std::vector
   // Of symmetric shapes both are alike; the mirrored copy of a bone differs from its other side by a tenth of what a
   // wrong one does.
   search.fits_far_better_mirrored = [reference = found.spectra[0], template_shape = found.spectra[1],
+                                     better = found.mirrored_gain > telling_gain ? telling_gain : far_better,
                                      options](const Start<3>& start) {
-    return fits_mirrored(*reference, *template_shape, options.search, options.doubtful_score, start.order / far_better);
+    return fits_mirrored(*reference, *template_shape, options.search, options.doubtful_score, start.order / better);
   };
   for (const auto& [shape, prepared] :
        {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})

@@ -214,9 +214,7 @@ std::vector<Vec<Dim>> identity_map(const Octree<Dim>& grid) {
 SHELLMATCH_2D_3D(multilinear_geometry);
 SHELLMATCH_2D_3D(at_nodes);
 SHELLMATCH_2D_3D(identity_map);
-#define SHELLMATCH_INSTANTIATE(Dim) template class ShapeFields<Dim>;
-SHELLMATCH_INSTANTIATE(2)
-SHELLMATCH_INSTANTIATE(3)
-#undef SHELLMATCH_INSTANTIATE
+template class ShapeFields<2>;
+template class ShapeFields<3>;
 
 }  // namespace shellmatch
