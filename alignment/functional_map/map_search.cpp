@@ -214,11 +214,14 @@ std::vector<MapCandidate> taken_from(std::vector<MapCandidate>& candidates, std:
   return taken;
 }
 
-/// The n best distinct ones by their coarse scores, that of the surfaces as they lie, which callers judge by more than
-/// its score, and of the others the n best by what tells maps apart in the end. \return the number of those before the
-/// others
+/// The n best distinct ones by their coarse scores and ends of limbs, that of the surfaces as they lie, which callers
+/// judge by more than its score, and of the others the n best by what tells maps apart in the end. \return the number
+/// of those before the others
 std::size_t choose_best(const ShapePairSpectra& pair, std::vector<MapCandidate>& candidates, int n) {
-  sort_by(candidates, [](const MapCandidate& c) { return c.coarse_score.total() + c.coarse_score.landmarks; });
+  // Maps that differ at the end of one limb count as one: that one stays whose ends are where they belong.
+  sort_by(candidates, [](const MapCandidate& c) {
+    return tip_factor(c.coarse_score.tips) * c.coarse_score.total() + c.coarse_score.landmarks;
+  });
   candidates = distinct(pair, std::move(candidates));
   const auto n_by_score = std::min(static_cast<std::size_t>(n), candidates.size());
   std::vector<MapCandidate> others = taken_from(candidates, n_by_score);
