@@ -215,7 +215,7 @@ void judge_kinds(const MatchSummary& summary, Reasons& reasons) {
         {fmt::format("the reference has {} component{} and genus {}, the template {} and {}", *a.n_components,
                      *a.n_components == 1 ? "" : "s", a.genus.value_or(0), *b.n_components, b.genus.value_or(0)),
          "a map without tears cannot make one from the other: holes and parts that one shape lacks are bridged or "
-         "squeezed",
+         "squeezed; remove what is no part of the shape, such as the floor of a scan",
          "",
          {}});
   for (const auto& [shape, name] : {std::pair{&a, "reference"}, std::pair{&b, "template"}})
