@@ -212,12 +212,7 @@ TEST(FindPairs, OfNearlyEqualMapsTheOneWithAllLimbsInPlaceStays) {
   const AutomaticPairs found = find_pairs(*reference, other);
   EXPECT_GE(found.margin, 1.1);
   EXPECT_LT(found.candidates[0].score_parts.tips, 0.1);
-  double area = 0, wrong = 0;
-  for (std::size_t f = 0; f < other.facets.size(); ++f) area += facet_measure(other, static_cast<Index>(f));
-  const Surface<3>& prepared = found.template_surface.surface;
-  for (std::size_t v = 0; v < other.vertices.size(); ++v)
-    wrong += (prepared.vertices[found.image(static_cast<Index>(v))] - other.vertices[v]).norm() > 0.2 * std::sqrt(area);
-  EXPECT_LT(wrong, 0.05 * static_cast<double>(other.vertices.size()));
+  EXPECT_LT(share_beyond(0.2, found, other.vertices), 0.05);
 }
 
 // The margin would tell nothing if the next map were the first once more.
