@@ -9,9 +9,9 @@ function(run)
   endif()
 endfunction()
 
-# Information for a debugger takes long to write, and nobody debugs these. Without -O1 examples run longer than they
+# Information for a debugger takes long to write, and nobody debugs these. Without -Og examples run longer than they
 # are built.
-set(flags -DCMAKE_CXX_FLAGS_DEBUG=-O1)
+set(flags -DCMAKE_CXX_FLAGS_DEBUG=-Og)
 set(compiler_flags "")
 if(WERROR)
   string(APPEND compiler_flags " -Wall -Wextra -Wpedantic -Wshadow -Wno-maybe-uninitialized -Wno-uninitialized -Werror")
