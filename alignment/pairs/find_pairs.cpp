@@ -2,6 +2,7 @@
 
 #include "alignment/functional_map/map_search.h"
 #include "alignment/pairs/confident_pairs.h"
+#include "alignment/spectrum/alike_components.h"
 #include "base/parallel.h"
 #include "geometry/distance/facet_tree.h"
 #include "geometry/surface/facet_point.h"
@@ -10,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace shellmatch {
 
@@ -124,11 +126,10 @@ Index AutomaticPairs::image(Index reference_vertex) const {
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
                           const AlignmentOptions& options, std::span<const CorrespondingPoints> landmarks) {
   AutomaticPairs result;
-  for_both([&](int s) {
-    PreparedSurface& prepared = s == 0 ? result.reference : result.template_surface;
-    prepared = prepare_surface(s == 0 ? reference : template_surface, options);
-    result.spectra[s] = std::make_shared<const SpectralShape>(make_spectral_shape(prepared.surface, options));
-  });
+  auto components = alike_components(reference, template_surface, options);
+  result.reference = std::move(components[0].prepared);
+  result.template_surface = std::move(components[1].prepared);
+  for (std::size_t s : {0, 1}) result.spectra[s] = std::move(components[s].spectrum);
   const auto& shapes = result.spectra;
   const std::vector<std::pair<Index, Index>> known = vertex_pairs(landmarks, reference, template_surface, result);
   result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false, result.mirrored_gain);

@@ -8,10 +8,9 @@
 #include "geometry/repair/repair_steps.h"
 #include "geometry/surface/subdivision.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace shellmatch {
@@ -55,9 +54,16 @@ Components components_of(const Surface<3>& surface) {
   return components;
 }
 
-Index largest_component(const Components& components) {
-  return static_cast<Index>(std::max_element(components.areas.begin(), components.areas.end()) -
-                            components.areas.begin());
+/// Descending by area.
+std::vector<Index> ranked(const Components& components) {
+  std::vector<Index> order(components.areas.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::stable_sort(order, std::greater<>(), [&](Index c) { return components.areas[c]; });
+  return order;
+}
+
+double total_area(const Components& components) {
+  return std::accumulate(components.areas.begin(), components.areas.end(), 0.0);
 }
 
 Surface<3> component_of(const Surface<3>& surface, const Components& components, Index wanted) {
@@ -91,19 +97,24 @@ std::vector<Index> nearest_corners(const Surface<3>& input, const Components& co
 
 }  // namespace
 
-PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions& options) {
+std::size_t n_large_components(const Surface<3>& input) {
+  constexpr double least_share = 0.05;
+  constexpr std::ptrdiff_t most = 4;
   const Components components = components_of(input);
-  const double area = std::accumulate(components.areas.begin(), components.areas.end(), 0.0);
+  const double least = least_share * total_area(components);
+  const auto n = std::ranges::count_if(components.areas, [&](double a) { return a > least; });
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(n, 1, most));
+}
+
+PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions& options, std::size_t rank) {
+  const Components components = components_of(input);
+  const double area = total_area(components);
   if (!std::isfinite(area)) throw_input_error("a surface has coordinates that are not finite");
   if (!(area > 0)) throw_input_error("a surface without area has no correspondence; give it facets");
-  const Index wanted = largest_component(components);
+  const Index wanted = ranked(components)[rank];
   PreparedSurface prepared{component_of(input, components, wanted), {}};
-  const auto n_parts = std::count_if(components.areas.begin(), components.areas.end(), [](double a) { return a > 0; });
-  if (n_parts > 1) {
-    prepared.share = components.areas[wanted] / area;
-    prepared.notes.push_back(fmt::format("only the largest of {} components is matched, {:.0f} % of the area", n_parts,
-                                         100 * prepared.share));
-  }
+  prepared.share = components.areas[wanted] / area;
+  prepared.rank = rank;
   const std::size_t n = prepared.surface.vertices.size();
   const auto most = static_cast<std::size_t>(options.max_vertices);
   // A surface that is a little larger is not worth the change of its vertices.
@@ -111,13 +122,9 @@ PreparedSurface prepare_surface(const Surface<3>& input, const AlignmentOptions&
     const Surface<3> coarse = simplified(prepared.surface, most);
     // Where facets were dropped the rest may fall apart.
     const Components parts = components_of(coarse);
-    prepared.surface = component_of(coarse, parts, largest_component(parts));
+    prepared.surface = component_of(coarse, parts, ranked(parts)[0]);
   }
   while (prepared.surface.vertices.size() < n_least_vertices) cut_long_edges(prepared.surface, 0);
-  if (prepared.surface.vertices.size() != n)
-    prepared.notes.push_back(fmt::format("{} vertices {} {}", n,
-                                         prepared.surface.vertices.size() < n ? "simplified to" : "divided into",
-                                         prepared.surface.vertices.size()));
   prepared.nearest = nearest_corners(input, components, wanted, prepared.surface);
   return prepared;
 }

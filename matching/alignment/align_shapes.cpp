@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -117,8 +118,17 @@ Outcome<Dim> search_and_choose(const ShapePair<Dim>& shapes, const std::vector<L
   return outcome;
 }
 
-// Pairs of one component of several say nothing of the others.
-constexpr double least_searched = 0.9;
+/// Whether the pairs of one component of several, which say nothing of the others, are better left.
+template <int Dim>
+bool others_lie_nearer(const ShapePair<Dim>& shapes, const StartSearch<Dim>& search, const Similarity<Dim>& pose) {
+  constexpr double least_searched = 0.9, clearly_nearer = 0.5;
+  const bool has_others[2] = {search.reference_share < least_searched, search.template_share < least_searched};
+  if (pose.is_identity() || !(has_others[0] || has_others[1])) return false;
+  if (has_others[0] && has_others[1]) return distance_after<Dim>(shapes, {}) < distance_after(shapes, pose);
+  // Of what one shape has alone, such as the floor of a scan, nothing is asked.
+  const std::array<bool, 2> from{!has_others[0], !has_others[1]};
+  return distance_after<Dim>(shapes, {}, from) < clearly_nearer * distance_after(shapes, pose, from);
+}
 
 /// Why shapes stay as they lie.
 struct Stay {
@@ -136,8 +146,7 @@ Stay why_they_stay(const ShapePair<Dim>& shapes, const StartSearch<Dim>& search,
     if (start.pairs.size() < n_least_pairs) start.pairs.clear();
     return {fmt::format("{:.0f} % of one shape coincides with the other as they lie", 100 * coincidence.share()), true};
   }
-  const bool is_of_a_part = search.searched_share < least_searched && !start.pose.is_identity();
-  if (is_of_a_part && distance_after<Dim>(shapes, {}) < distance_after(shapes, start.pose)) {
+  if (others_lie_nearer(shapes, search, start.pose)) {
     start.pose = {};
     start.pairs.clear();
     return {"all components together lie nearer as they are"};

@@ -47,7 +47,8 @@ struct StartSearch {
   bool landmarks_are_spread = false;
   std::size_t n_landmarks = 0;          ///< that took part
   std::vector<std::string> notes = {};  ///< what was left out
-  double searched_share = 1;  ///< of the area of either shape, the less: below 1 where components were left out
+  /// Of the area of either shape: below 1 where components were left out.
+  double reference_share = 1, template_share = 1;
   /// Of a part and a whole. Whether the shapes as they lie are better, coarse trials do not tell then, as most of the
   /// whole is not reached anyway.
   bool is_of_part = false;

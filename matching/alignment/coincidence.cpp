@@ -108,12 +108,15 @@ void Coincidence<Dim>::keep_others(std::vector<Landmark<Dim>>& pairs) const {
 }
 
 template <int Dim>
-double distance_after(const ShapePair<Dim>& shapes, const Similarity<Dim>& pose) {
+double distance_after(const ShapePair<Dim>& shapes, const Similarity<Dim>& pose, const std::array<bool, 2>& from) {
   const Surface<Dim>& target = shapes.template_shape.surface;
   const double most = 0.1 * bounding_box(target.vertices).diagonal();
   Surface<Dim> moved = shapes.reference.surface;
   for (Vec<Dim>& x : moved.vertices) x = pose(x);
-  return std::sqrt(mean_square<Dim>(moved, target, most) + mean_square<Dim>(target, moved, most));
+  double sum = 0;
+  if (from[0]) sum += mean_square<Dim>(moved, target, most);
+  if (from[1]) sum += mean_square<Dim>(target, moved, most);
+  return std::sqrt(sum);
 }
 
 template class Coincidence<2>;

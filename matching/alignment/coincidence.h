@@ -6,6 +6,7 @@
 #include "matching/alignment/alignment.h"
 #include "matching/input/shape_pair.h"
 
+#include <array>
 #include <memory>
 
 namespace shellmatch {
@@ -32,10 +33,11 @@ class Coincidence {
   double share_ = 0;
 };
 
-/// Root mean square distance between the shapes, both ways, with the reference moved by `pose`: what a pose that was
-/// found from one component of several has to make smaller. Distances beyond a tenth of the template's diagonal count
-/// as that.
+/// Root mean square distance between the shapes with the reference moved by `pose`, from the reference, from the
+/// template, or the root of both squares' sum: what a pose that was found from one component of several has to make
+/// smaller. Distances beyond a tenth of the template's diagonal count as that.
 template <int Dim>
-double distance_after(const ShapePair<Dim>& shapes, const Similarity<Dim>& pose);
+double distance_after(const ShapePair<Dim>& shapes, const Similarity<Dim>& pose,
+                      const std::array<bool, 2>& from = {true, true});
 
 }  // namespace shellmatch

@@ -70,20 +70,29 @@ std::string direction_text(const DirectionSummary& direction, const DirectionTri
 
 // Where maps of space keep up, few pairs are missed, and those are wrong ones.
 constexpr double many_missed = 0.005;
+// Ends of limbs that touch something have no pairs. Where they arrive, the disorder was 0.08 at most; else 0.26 and
+// more.
+constexpr double limbs_astray = 0.1;
 
-/// Bends the reference where no map of space reaches the pairs and one from the bent surface does. Returns whether.
+/// Bends the reference where no map of space reaches the pairs, or the ends of limbs, and one from the bent surface
+/// does. Returns whether.
 bool bend_if_needed(const Trials<3>& trials, const ShapePair<3>& shapes, const std::vector<Landmark<3>>& landmarks,
                     const ExperimentOptions& options, const DirectionTrial& reached, PreparedPair<3>& pair,
                     Observer& observer) {
   if (options.align.bend == BendMode::never || pair.alignment.pairs.empty()) return false;
-  if (!(reached.missed > many_missed)) return false;
+  const bool misses_pairs = reached.missed > many_missed;
+  if (!misses_pairs && reached.limb_disorder <= limbs_astray) return false;
   Alignment<3> bent = bent_start(pair.alignment, shapes.reference.surface, landmarks);
   const DirectionTrial trial = trials.of_direction(bent, Carried::reference);
-  if (!(trial.missed < reached.missed)) return false;
-  observer.note(fmt::format(
-      "bend: as maps of space miss {:.2g} % of the pairs, the reference's surface is bent by them first and "
-      "then deformed: the map is one of the surface (--set align.bend=never keeps it one of space)",
-      100 * reached.missed));
+  const bool is_better =
+      misses_pairs ? trial.missed < reached.missed : trial.missed <= many_missed && trial.limb_disorder <= limbs_astray;
+  if (!is_better) return false;
+  const std::string what = misses_pairs ? fmt::format("miss {:.2g} % of the pairs", 100 * reached.missed)
+                                        : "do not bring ends of limbs to ends of limbs";
+  observer.note(
+      fmt::format("bend: as maps of space {}, the reference's surface is bent by the pairs first and then "
+                  "deformed: the map is one of the surface (--set align.bend=never keeps it one of space)",
+                  what));
   pair.alignment = std::move(bent);
   pair.direction->backward = false;
   return true;

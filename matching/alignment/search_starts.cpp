@@ -176,11 +176,14 @@ StartSearch<3> search_whole_starts(const ShapePair<3>& shapes, const std::vector
                                      options](const Start<3>& start) {
     return fits_mirrored(*reference, *template_shape, options.search, options.doubtful_score, start.order / better);
   };
+  search.reference_share = found.reference.share;
+  search.template_share = found.template_surface.share;
   for (const auto& [shape, prepared] :
        {std::pair(&shapes.reference, &found.reference), std::pair(&shapes.template_shape, &found.template_surface)})
-    if (search.searched_share = std::min(search.searched_share, prepared->share); prepared->share < 1)
-      search.notes.push_back(fmt::format("pairs are of the largest component of {} alone, {:.0f} % of its area",
-                                         shape->source, 100 * prepared->share));
+    if (prepared->share < 1)
+      search.notes.push_back(fmt::format("pairs are of the {} component of {} alone, {:.0f} % of its area",
+                                         prepared->rank == 0 ? "largest" : "most alike", shape->source,
+                                         100 * prepared->share));
   std::optional<ObservedPair<3>> observed;  // takes time, and is rarely asked
   if (shapes.one_is_part()) observed = observed_pair(shapes.reference, shapes.template_shape);
   for (PairCandidate& candidate : found.candidates) {

@@ -87,8 +87,7 @@ constexpr double far = 0.05;
 
 template <int Dim>
 double missed_share(const Alignment<Dim>& start, const CascadeResult<Dim>& end, const Similarity<Dim>& placement,
-                    const SignedDistance<Dim>& moving, const SignedDistance<Dim>& fixed) {
-  if (!start.bend && lie_near(moving, fixed)) return 0;
+                    const SignedDistance<Dim>& fixed) {
   const MapFrame<Dim> frame{placement, start.pose, false, Space::unsaid, start.bend};
   const double most = far * std::pow(surface_measure(fixed.surface()), 1.0 / (Dim - 1));
   double sum = 0, missed = 0;
@@ -135,7 +134,7 @@ Trials<Dim> Trials<Dim>::of_exchanged_shapes() const {
   others.shapes_ = nullptr;
   others.tried_ = std::make_shared<const ShapePair<Dim>>(ShapePair<Dim>{tried.template_shape, tried.reference});
   others.landmarks_ = exchanged(landmarks_);
-  others.limbs_.reset();
+  if (limbs_) others.limbs_ = std::make_shared<const std::array<LimbEnds, 2>>(std::array{(*limbs_)[1], (*limbs_)[0]});
   others.as_they_lie_.reset();
   return others;
 }
@@ -171,7 +170,7 @@ void Trials<Dim>::run(const Alignment<Dim>& searched, const ExperimentOptions& o
 }
 
 template <int Dim>
-double Trials<Dim>::limb_disorder(const Alignment<Dim>& start, const std::function<Vec<Dim>(const Vec<Dim>&)>& image,
+double Trials<Dim>::limb_disorder(const Alignment<Dim>& start, const CascadeResult<Dim>& end,
                                   const Similarity<Dim>& placement) const {
   if constexpr (Dim == 3) {
     const ShapePair<3>& tried = tried_shapes();
@@ -189,7 +188,10 @@ double Trials<Dim>::limb_disorder(const Alignment<Dim>& start, const std::functi
     constexpr double least_share = 0.9;
     if (std::min(reference.share, template_shape.share) < least_share) return 0;
     std::vector<Vec<3>> images(reference.vertices.size()), places;
-    parallel_for(images.size(), [&](std::size_t i) { images[i] = image(reference.vertices[i]); });
+    const MapFrame<3> frame{placement, start.pose, false, Space::unsaid, start.bend};
+    parallel_for(images.size(), [&](std::size_t i) {
+      images[i] = evaluate(end.grid, end.phi, frame.to_unit_domain(reference.vertices[i]));
+    });
     for (const Vec<3>& x : template_shape.vertices) places.push_back(placement(x));
     return shellmatch::limb_disorder(reference, images, template_shape, places);
   } else {
@@ -234,9 +236,7 @@ Trial Trials<Dim>::try_start(const Alignment<Dim>& start) const {
             start.bend ? transformed(tried.reference.surface, start.pose, placement) : d1.surface();
         result.spin_difference = spin_difference<Dim>(undeformed, deform(d1.surface()), d2.surface(), observed,
                                                       start.is_of_part || tried.one_is_part());
-        const MapFrame<Dim> frame{placement, start.pose, false, Space::unsaid, start.bend};
-        result.limb_disorder = limb_disorder(
-            start, [&](const Vec<Dim>& x) { return evaluate(end.grid, end.phi, frame.to_unit_domain(x)); }, placement);
+        result.limb_disorder = limb_disorder(start, end, placement);
         result.template_distance =
             two_sided_distance<Dim>(d1.surface(), deform, d2, observed, end.grid.finest_side(), n_measured)
                 .figures.template_to_deformed.mean;
@@ -269,7 +269,10 @@ DirectionTrial Trials<Dim>::try_direction(const Alignment<Dim>& start, Carried c
               2 * (deformed_is_part == forward ? figures.deformed_to_template.mean : figures.template_to_deformed.mean);
         }
         result.energy = end.levels.back().minimised.sum();
-        result.missed = missed_share(start, end, placement, d1, d2);
+        result.missed = 0;
+        if (!start.bend && lie_near(d1, d2)) return;
+        result.missed = missed_share(start, end, placement, d2);
+        result.limb_disorder = limb_disorder(start, end, placement);
       });
   return result;
 }

@@ -11,13 +11,15 @@
 #include "matching/progress/observer.h"
 
 #include <array>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace shellmatch {
+
+template <int Dim>
+struct CascadeResult;
 
 /// At the end of the coarsest two levels. All infinite where the energy cannot be computed from this start.
 struct Trial {
@@ -40,8 +42,9 @@ struct DirectionTrial {
   double distance = std::numeric_limits<double>::infinity();  ///< sum of the mean distances both ways, diagonals of the
                                                               ///< shape that is not carried
   double energy = std::numeric_limits<double>::infinity();    ///< with all terms
-  double missed = 1;  ///< share of the pairs' weight that ends far from where it belongs; 0 without
-                      ///< pairs, and where the shapes lie_near(): those are wrong
+  // Where the shapes lie_near(), both are 0: what ends elsewhere is wrong.
+  double missed = 1;         ///< share of the pairs' weight that ends far from where it belongs; 0 without pairs
+  double limb_disorder = 0;  ///< as of a Trial
 };
 
 /// Outcomes of trials, kept.
@@ -91,8 +94,7 @@ class Trials {
  private:
   Trial try_start(const Alignment<Dim>& start) const;
   DirectionTrial try_direction(const Alignment<Dim>& start, Carried carried) const;
-  // \param image of a point of the reference, in the unit domain
-  double limb_disorder(const Alignment<Dim>& start, const std::function<Vec<Dim>(const Vec<Dim>&)>& image,
+  double limb_disorder(const Alignment<Dim>& start, const CascadeResult<Dim>& end,
                        const Similarity<Dim>& placement) const;
   template <class Measure>
   void run(const Alignment<Dim>& start, const ExperimentOptions& options, const Measure& measure) const;

@@ -64,10 +64,10 @@ SHELLMATCH_JSON_2D_3D(Start, (alignment.pose, pose), (alignment.pairs, pairs), (
                       (alignment.landmark_trust, landmark_trust), (alignment.is_of_part, part), (n_pairs, found),
                       (n_contradicting, contradicting), pair_share, score, order, margin, landmark_distance,
                       (is_identity, identity), (is_mirrored, mirrored))
-SHELLMATCH_JSON_2D_3D(StartSearch, starts, margin, (searched_share, share), (n_landmarks, landmarks),
+SHELLMATCH_JSON_2D_3D(StartSearch, starts, margin, reference_share, template_share, (n_landmarks, landmarks),
                       landmarks_are_spread, notes, (is_of_part, part), (is_ambiguous, ambiguous), mirrored_gain)
 SHELLMATCH_JSON(Trial, energy, with_pairs, template_distance, spin_difference, limb_disorder)
-SHELLMATCH_JSON(DirectionTrial, distance, energy, missed)
+SHELLMATCH_JSON(DirectionTrial, distance, energy, missed, limb_disorder)
 SHELLMATCH_JSON_IF((requires(S & s) { s.results, s.seconds; }), results, seconds)
 SHELLMATCH_JSON_2D_3D(AlignmentFindings, by_pairs, by_poses, fits_mirrored, (trials.starts, starts),
                       (trials.directions, directions))

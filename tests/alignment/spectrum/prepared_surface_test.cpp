@@ -1,4 +1,5 @@
 // Surfaces of any size and number of parts become one connected surface of fitting size.
+#include "alignment/spectrum/alike_components.h"
 #include "alignment/spectrum/prepared_surface.h"
 #include "base/error.h"
 #include "tests/geometry/surface/test_surfaces.h"
@@ -27,7 +28,7 @@ TEST(PreparedSurface, AFittingSurfaceStaysAsItIs) {
   const PreparedSurface prepared = prepare_surface(sphere, {});
   EXPECT_EQ(prepared.surface.vertices, sphere.vertices);
   EXPECT_EQ(prepared.surface.facets, sphere.facets);
-  EXPECT_TRUE(prepared.notes.empty());
+  EXPECT_EQ(prepared.share, 1);
   for (std::size_t v = 0; v < sphere.vertices.size(); ++v) EXPECT_EQ(prepared.nearest[v], static_cast<Index>(v));
 }
 
@@ -42,7 +43,6 @@ TEST(PreparedSurface, ALargeSurfaceIsSimplifiedAndStaysClosed) {
   EXPECT_EQ(prepared.surface.facets.size(), 2 * prepared.surface.vertices.size());  // genus 1, as before
   const double area = test::boundary_measure(torus);
   EXPECT_NEAR(test::boundary_measure(prepared.surface), area, 0.02 * area);
-  EXPECT_EQ(prepared.notes.size(), 1u);
   // The mean area of a facet gives the length of its edges.
   const double edge = std::sqrt(area / static_cast<double>(prepared.surface.facets.size()) * 4 / std::sqrt(3));
   for (std::size_t v = 0; v < torus.vertices.size(); ++v)
@@ -84,12 +84,31 @@ TEST(PreparedSurface, TheLargestComponentIsTakenAndVerticesWithoutFacetAreLeftOu
   both.vertices.push_back({5, 5, 5});
   const PreparedSurface prepared = prepare_surface(both, {});
   EXPECT_EQ(prepared.surface.vertices, large.vertices);
-  ASSERT_EQ(prepared.notes.size(), 1u);
-  EXPECT_EQ(prepared.notes[0], "only the largest of 2 components is matched, 80 % of the area");
+  EXPECT_NEAR(prepared.share, 0.8, 1e-12);
+  EXPECT_EQ(n_large_components(both), 2u);
+  EXPECT_EQ(prepare_surface(both, {}, 1).surface.vertices, small.vertices);
   const auto n = small.vertices.size();
   EXPECT_EQ(prepared.nearest[0], no_index);
   EXPECT_EQ(prepared.nearest[n + 3], 3);
   EXPECT_EQ(prepared.nearest.back(), no_index);
+}
+
+TEST(AlikeComponents, AFloorOfEitherSurfaceIsLeftOut) {
+  const Surface<3> ring = test::torus(2, 0.4, 60, 20), floor = test::box({-6, -6, -1}, {6, 6, -0.9});
+  const Surface<3> other_ring =
+      test::mapped<3>(test::torus(2, 0.42, 60, 20), [](const Vec<3>& x) { return Vec<3>(70 * x); });
+  AlignmentOptions options;
+  options.functions = 40;
+  const auto left_out = alike_components(test::joined(floor, ring), other_ring, options);
+  EXPECT_EQ(left_out[0].prepared.rank, 1u);
+  EXPECT_EQ(left_out[0].prepared.surface.vertices, ring.vertices);
+  EXPECT_EQ(left_out[0].spectrum->n_vertices(), ring.vertices.size());
+  EXPECT_EQ(left_out[1].prepared.rank, 0u);
+  EXPECT_EQ(alike_components(ring, test::joined(other_ring, floor), options)[1].prepared.rank, 0u);
+  // Where the largest are about as much alike they stay.
+  const auto both = alike_components(test::joined(ring, floor), test::joined(floor, ring), options);
+  EXPECT_EQ(both[0].prepared.rank, 0u);
+  EXPECT_EQ(both[1].prepared.rank, 0u);
 }
 
 TEST(PreparedSurface, ASurfaceWithoutAreaIsRefused) {

@@ -10,6 +10,7 @@
 #include "matching/map_file/deformation_file.h"
 #include "matching/match_shapes.h"
 #include "matching/result/correspondence.h"
+#include "tests/geometry/surface/test_surfaces.h"
 #include "tests/matching/alignment/coarse_hands.h"
 #include "tests/matching/output/temporary_folder.h"
 
@@ -90,6 +91,27 @@ TEST_F(AlignShapes, ATurnedPairMatchesAsWellAsTheOneThatLiesAsItBelongs) {
   // What lies as it belongs stays: its pairs alone are used.
   EXPECT_EQ(straight.summary.alignment->angle, 0);
   EXPECT_GT(straight.summary.alignment->n_pairs, 100);
+}
+
+TEST_F(AlignShapes, AFloorOfOneShapeChangesLittle) {
+  const Shape<3> turned = moved(bent_, motion(1));
+  const Box<3> bounds = bounding_box(turned.surface.vertices);
+  const double side = (bounds.max - bounds.min).maxCoeff();
+  // Its area is more than that of the hand.
+  const Vec<3> middle = (bounds.min + bounds.max) / 2, half(0.8 * side, 0.8 * side, 0.02 * side);
+  const Vec<3> below(middle.x(), middle.y(), bounds.min.z() - 0.05 * side);
+  const Surface<3> both = test::joined(turned.surface, test::box(below - half, below + half));
+  OriginalShape<3> original;
+  original.vertices = both.vertices;
+  for (const auto& [a, b, c] : both.facets) original.polygons.push_back({a, b, c});
+  Notes notes, with_floor;
+  const ExperimentOptions options = quick(AlignMode::automatic);
+  const Alignment<3> plain = align_shapes<3>({reference_, turned}, {}, options, notes);
+  const Alignment<3> found =
+      align_shapes<3>({reference_, make_shape(std::move(original), "scan")}, {}, options, with_floor);
+  EXPECT_NE(with_floor.all.find("of the most alike component of scan alone"), std::string::npos) << with_floor.all;
+  EXPECT_NEAR(static_cast<double>(found.pairs.size()), static_cast<double>(plain.pairs.size()), 10) << with_floor.all;
+  EXPECT_NEAR(found.summary->angle, plain.summary->angle, 5);
 }
 
 TEST_F(AlignShapes, TheFileOfTheMapHasThePose) {

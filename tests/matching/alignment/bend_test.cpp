@@ -21,8 +21,9 @@ enum class Hole { none, slit };
 
 bool in_slit(Index ring, Index around) { return ring >= 20 && ring < 40 && around < n_around / 2; }
 
-/// A tube whose middle line is part of a circle of this curvature, or straight.
-Shape<3> tube(double curvature, Hole hole = Hole::none) {
+/// A tube whose middle line is part of a circle of this curvature, or straight. \param prong length of a thorn at the
+/// middle, on the outer side
+Shape<3> tube(double curvature, Hole hole = Hole::none, double prong = 0) {
   const auto middle = [&](double s) {
     return curvature > 0 ? Vec<3>(std::sin(curvature * s) / curvature, (1 - std::cos(curvature * s)) / curvature, 0)
                          : Vec<3>(s, 0, 0);
@@ -33,8 +34,9 @@ Shape<3> tube(double curvature, Hole hole = Hole::none) {
     const double s = tube_length * (i / (n_rings - 1.0) - 0.5);
     for (Index k = 0; k < n_around; ++k) {
       const double angle = 2 * std::numbers::pi * k / n_around;
-      shape.vertices.push_back(middle(s) +
-                               tube_radius * (std::cos(angle) * out(s) + std::sin(angle) * Vec<3>::UnitZ()));
+      const Vec<3> side = std::cos(angle) * out(s) + std::sin(angle) * Vec<3>::UnitZ();
+      const double to_prong = std::hypot(s, tube_radius * (side - out(0)).norm());
+      shape.vertices.push_back(middle(s) + tube_radius * side + prong * std::max(0.0, 1 - to_prong / 0.3) * out(s));
     }
   }
   for (const double end : {-0.5, 0.5}) shape.vertices.push_back(middle(end * tube_length));
@@ -156,6 +158,25 @@ TEST(Bend, WhereShapesLieNearPairsThatEndElsewhereAreWrongAndNotMissed) {
   };
   EXPECT_EQ(missed({tube(0.2), tube(0.22)}), 0);
   EXPECT_GT(missed({tube(1.04), tube(0)}), 0.1);
+}
+
+TEST(Bend, WhereEndsOfLimbsDoNotArriveThoughNoPairIsMissed) {
+  ShapePair<3> shapes{tube(1.04, Hole::none, 1), tube(0, Hole::none, 1)};
+  AlignmentFindings<3> findings = found(shapes);
+  Alignment<3>& alignment = findings.by_pairs.results[0].starts[0].alignment;
+  // Ends that touch something have no pairs.
+  std::erase_if(alignment.pairs, [](const Landmark<3>& pair) {
+    const auto v = static_cast<Index>(std::stoi(pair.name.substr(pair.name.find(' ') + 1))) - 1;
+    return v < 20 * n_around || v >= 40 * n_around;
+  });
+  const ExperimentOptions options = profile_defaults(Profile::standard);
+  Observer quiet;
+  const Trials<3> trials(shapes, {}, options, quiet);
+  const Alignment<3> bent = bent_start(alignment, shapes.reference.surface, {});
+  EXPECT_EQ(trials.of_direction(alignment, Carried::reference).missed, 0);
+  EXPECT_GT(trials.of_direction(alignment, Carried::reference).limb_disorder, 0.5);
+  EXPECT_LT(trials.of_direction(bent, Carried::reference).limb_disorder, 0.1);
+  EXPECT_TRUE(prepare_pair(shapes, {}, options, quiet, findings).alignment.bend);
 }
 
 TEST(Bend, LandmarksBelongToTheReferenceAsItWasRead) {

@@ -23,7 +23,8 @@ template <int Dim>
 StartSearch<Dim> search() {
   StartSearch<Dim> s;
   s.margin = std::numeric_limits<double>::infinity();
-  s.searched_share = 0.1;
+  s.reference_share = 0.1;
+  s.template_share = 0.2;
   s.n_landmarks = 5;
   s.notes = {"a note"};
   s.landmarks_are_spread = true;
@@ -63,7 +64,8 @@ AlignmentFindings<Dim> findings() {
 template <int Dim>
 void expect_same(const StartSearch<Dim>& a, const StartSearch<Dim>& b) {
   EXPECT_EQ(a.margin, b.margin);
-  EXPECT_EQ(a.searched_share, b.searched_share);
+  EXPECT_EQ(a.reference_share, b.reference_share);
+  EXPECT_EQ(a.template_share, b.template_share);
   EXPECT_EQ(a.n_landmarks, b.n_landmarks);
   EXPECT_EQ(a.notes, b.notes);
   EXPECT_EQ(a.landmarks_are_spread, b.landmarks_are_spread);
