@@ -34,22 +34,13 @@ def fixed(value, digits):
     return "" if value == "" else f"{value:.{digits}f}"
 
 
-def scientific(value):
-    """As 8.5e-4; '' for what is not known."""
-    if value == "":
-        return ""
-    mantissa, exponent = f"{value:.1e}".split("e")
-    return f"{mantissa}e{int(exponent)}" if value != 0 else "0"
-
-
 def cells(row):
     digits = 2 if row["metric"] == "geodesic" else 4
     folds = row["folded_cells"]
     if row["uncertified_cells"]:
         folds = f"{folds} ({row['uncertified_cells']} uncertified)"
-    both = [" / ".join(filter(None, (scientific(row[f"{way}_mean"]), scientific(row[f"{way}_max"])))) for way in ("dt", "td")]
     return [row["pair"], row["method"], fixed(row["before"], digits), fixed(row["mean"], digits), fixed(row["p95"], digits),
-            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", *both, str(folds), row["alignment"], f"{row['cpu_seconds']:.0f}"]
+            fixed(row["max"], digits), f"{100 * row['beyond']:.1f} %", str(folds), row["alignment"], f"{row['cpu_seconds']:.0f}"]
 
 
 def mean_row(method, part, rows):
@@ -76,8 +67,7 @@ def markdown(rows, failed):
         if not chosen:
             continue
         limit = "10" if metric == "geodesic" else "0.1"
-        head = ["pair", "method", "before", "mean", "95 %", "max", f"beyond {limit}", "d->t mean / max", "t->d mean / max", "folds",
-                "alignment", "CPU s"]
+        head = ["pair", "method", "before", "mean", "95 %", "max", f"beyond {limit}", "folds", "alignment", "CPU s"]
         methods = list(dict.fromkeys(row["method"] for row in chosen))
         parts_of_list = list(dict.fromkeys(row["part"] for row in chosen))
         lines = []
