@@ -8,10 +8,10 @@
 #include "geometry/surface/facet_point.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace shellmatch {
 
@@ -126,10 +126,12 @@ Index AutomaticPairs::image(Index reference_vertex) const {
 AutomaticPairs find_pairs(const Surface<3>& reference, const Surface<3>& template_surface,
                           const AlignmentOptions& options, std::span<const CorrespondingPoints> landmarks) {
   AutomaticPairs result;
-  auto components = alike_components(reference, template_surface, options);
-  result.reference = std::move(components[0].prepared);
-  result.template_surface = std::move(components[1].prepared);
-  for (std::size_t s : {0, 1}) result.spectra[s] = std::move(components[s].spectrum);
+  const std::array<std::size_t, 2> ranks = alike_components(reference, template_surface, options);
+  for_both([&](int s) {
+    PreparedSurface& prepared = s == 0 ? result.reference : result.template_surface;
+    prepared = prepare_surface(s == 0 ? reference : template_surface, options, ranks[static_cast<std::size_t>(s)]);
+    result.spectra[s] = std::make_shared<const SpectralShape>(make_spectral_shape(prepared.surface, options));
+  });
   const auto& shapes = result.spectra;
   const std::vector<std::pair<Index, Index>> known = vertex_pairs(landmarks, reference, template_surface, result);
   result.candidates = candidates_of(*shapes[0], *shapes[1], known, options, false, result.mirrored_gain);

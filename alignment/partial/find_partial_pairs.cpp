@@ -5,10 +5,12 @@
 #include "alignment/pairs/confident_pairs.h"
 #include "alignment/partial/partial_map.h"
 #include "alignment/partial/partial_starts.h"
+#include "alignment/spectrum/alike_components.h"
 #include "base/parallel.h"
 #include "geometry/distance/surface_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -178,8 +180,10 @@ PartialPairs find_partial_pairs(const Surface<3>& part_surface, const Surface<3>
   // Other individuals are larger or smaller.
   constexpr double other_scales[] = {1.25, 0.8};
   PartialPairs result;
+  const std::array<std::size_t, 2> ranks = alike_components(part_surface, whole_surface, options);
   for_both([&](int s) {
-    (s == 0 ? result.part : result.whole) = prepare_surface(s == 0 ? part_surface : whole_surface, options);
+    (s == 0 ? result.part : result.whole) =
+        prepare_surface(s == 0 ? part_surface : whole_surface, options, ranks[static_cast<std::size_t>(s)]);
   });
   const SearchedWhole whole(result.whole.surface, options);
   const double unit_scale = scale_of_unit(result.part.surface, result.whole.surface);

@@ -1,51 +1,53 @@
 #include "alignment/spectrum/alike_components.h"
 
+#include "alignment/spectrum/laplacian.h"
+#include "alignment/spectrum/prepared_surface.h"
 #include "base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace shellmatch {
 
 namespace {
 
-/// Mean of the logarithms of the ratios of the least eigenvalues.
-double spectral_distance(const SpectralShape& a, const SpectralShape& b) {
-  constexpr Eigen::Index most = 20;
-  const Eigen::Index n = std::min({a.values.size(), b.values.size(), most + 1});
-  double sum = 0;
-  for (Eigen::Index k = 1; k < n; ++k) sum += std::abs(std::log(a.values[k] / b.values[k]));
-  return sum / static_cast<double>(n - 1);
+constexpr int n_eigenvalues = 20;
+
+/// The least ones of a component but the first, times its area.
+Eigen::VectorXd spectrum_of(const Surface<3>& component, const AlignmentOptions& options) {
+  const SurfaceLaplacian laplacian = surface_laplacian(component, options.mollification);
+  return laplacian.mass.sum() * least_eigenpairs(laplacian, n_eigenvalues + 1).values.tail(n_eigenvalues);
 }
 
 }  // namespace
 
-std::array<SearchedComponent, 2> alike_components(const Surface<3>& reference, const Surface<3>& template_surface,
-                                                  const AlignmentOptions& options) {
+std::array<std::size_t, 2> alike_components(const Surface<3>& reference, const Surface<3>& template_surface,
+                                            const AlignmentOptions& options) {
   // Poses and individuals change eigenvalues less than shapes do.
   constexpr double far_more_alike = 0.5;
-  std::array<std::vector<SearchedComponent>, 2> all;
-  for_both([&](int s) {
-    const Surface<3>& surface = s == 0 ? reference : template_surface;
-    for (std::size_t rank = 0, n = n_large_components(surface); rank < n; ++rank) {
-      PreparedSurface prepared = prepare_surface(surface, options, rank);
-      auto spectrum = std::make_shared<const SpectralShape>(make_spectral_shape(prepared.surface, options));
-      all[static_cast<std::size_t>(s)].push_back({std::move(prepared), std::move(spectrum)});
-    }
-  });
+  const std::size_t n[2] = {n_large_components(reference), n_large_components(template_surface)};
   std::array<std::size_t, 2> chosen{0, 0};
-  double least = 0;
-  if (all[0].size() > 1 || all[1].size() > 1)
-    least = far_more_alike * spectral_distance(*all[0][0].spectrum, *all[1][0].spectrum);
-  for (std::size_t i = 0; i < all[0].size(); ++i)
-    for (std::size_t j = 0; j < all[1].size(); ++j)
-      if (const double distance = spectral_distance(*all[0][i].spectrum, *all[1][j].spectrum); distance < least) {
-        least = distance;
+  if (n[0] == 1 && n[1] == 1) return chosen;
+  std::vector<Eigen::VectorXd> spectra[2];
+  for_both([&](int s) {
+    for (std::size_t rank = 0; rank < n[s]; ++rank)
+      spectra[s].push_back(
+          spectrum_of(prepare_surface(s == 0 ? reference : template_surface, options, rank).surface, options));
+  });
+  const auto distance = [&](std::size_t i, std::size_t j) {
+    double sum = 0;
+    for (int k = 0; k < n_eigenvalues; ++k) sum += std::abs(std::log(spectra[0][i][k] / spectra[1][j][k]));
+    return sum;
+  };
+  double least = far_more_alike * distance(0, 0);
+  for (std::size_t i = 0; i < n[0]; ++i)
+    for (std::size_t j = 0; j < n[1]; ++j)
+      if (distance(i, j) < least) {
+        least = distance(i, j);
         chosen = {i, j};
       }
-  return {std::move(all[0][chosen[0]]), std::move(all[1][chosen[1]])};
+  return chosen;
 }
 
 }  // namespace shellmatch
